@@ -32,56 +32,56 @@
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
-#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own macros */
 #define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
-#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that unused results are not computed */
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#ifndef FOOTPOINT_APART /* before functions that stay separate: they vectorise whatever the caller's arrays */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_APART static __attribute__((noinline, unused))
 #else
 #define FOOTPOINT_APART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
+#ifndef FOOTPOINT_LOOP /* before loops over arrays: their callees are inlined, whatever their size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#ifndef FOOTPOINT_COLD /* before functions that are seldom called: not inlined */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
-                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#ifndef FOOTPOINT_EACH /* before loops over arrays that do not overlap; for clang pass -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns if it is not obeyed */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
-#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#ifndef FOOTPOINT_UNROLL /* before short loops inside loops over arrays, which vectorise only without them */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
-#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#ifndef FOOTPOINT_WHOLE /* the same for known counts, also long ones, which clang needs */
 #if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
 #else
@@ -115,8 +115,9 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS
 #define FOOTPOINT_DETAIL_BITS
-/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
- * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
     union {
@@ -127,8 +128,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     return both.bits;
 }
 
-/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
- * four instructions each instead of one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
 FOOTPOINT_PART double footpoint_detail_zero(void)
 {
     const volatile int zero = 0;
@@ -351,7 +352,7 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS
 #define FOOTPOINT_DETAIL_BOUNDS
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -361,7 +362,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 #endif
 }
 
-/* The greater number; a comparison with NaN raises no exception. */
+/* Returns the greater number; a comparison with NaN raises no exception. */
 FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -371,21 +372,27 @@ FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 #endif
 }
 
-/* The sum of the absolute values, and the largest. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART double footpoint_detail_sum(const double a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-FOOTPOINT_PART double footpoint_detail_most(const double a[3])
-{
-    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
-}
-
-/* The scalar product of a, >= 0, and |b|. */
+/* Returns the scalar product of a, >= 0, and |b|. */
 FOOTPOINT_PART double footpoint_detail_weigh(const double a[3], const double b[3])
 {
     return a[0] * fabs(b[0]) + a[1] * fabs(b[1]) + a[2] * fabs(b[2]);
+}
+
+/* Not less than the root of x >= 0, and at most 1.061 times that: half of its exponent, as logarithms have it. */
+FOOTPOINT_PART double footpoint_detail_root_bound(double x)
+{
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.bits = (footpoint_detail_bits(x) >> 1) + (footpoint_detail_bits(1.0) >> 1);
+    return both.number;
 }
 #endif
 
@@ -396,7 +403,7 @@ typedef struct {
     double u[3], v[3], uu[3], uv[3], vv[3], d[3];
 } footpoint_detail_local;
 
-/* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the square of the distance and per = 1 / det. */
+/* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the squared distance and per = 1 / det. */
 typedef struct {
     double r11, r12, r22, det, per, s, t;
 } footpoint_detail_newton;
@@ -417,17 +424,20 @@ FOOTPOINT_PART void footpoint_detail_newton_of(const footpoint_detail_local *r,
 
 #ifndef FOOTPOINT_DETAIL_NET
 #define FOOTPOINT_DETAIL_NET
-/* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is (1 - p^2)
- * (p x1 - x0), X, y and Y likewise: x bends the mean of the edges AB and DC, X is what DC bends more than AB.  d = xS - r0.
+/* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
+ * (1 - p^2) (p x1 - x0), and X, y and Y likewise: x bends the mean of the edges AB and DC, X is the excess bend of DC
+ * over AB. d = xS - r0.
  *
- * third: bounds of |r_ppp| + 2 |r_ppq| + |r_pqq|, and with p and q exchanged, within 1/8 of the patch.  base: the sum of the edges'
- * absolute coordinates; tilt: the largest square of a normal.  Rounding, in units of u = 1.11e-16, if tilt <= 1.01: coordinates of d
- * are off by place + 9 |D|, of tangents by turn, of second derivatives by 280 far, and r_p, r_q <= 2.5 far, r_pp, r_pq, r_qq <= 3.5 far.
+ * third: bounds of |r_ppp| + 2 |r_ppq| + |r_pqq|, and with p and q exchanged, within 1/8 of the patch. base: the sum of
+ * the edges' absolute coordinates; tilt: the largest square of a normal. Rounding, in units of u = 1.11e-16, if tilt <=
+ * 1.01: coordinates of d are off by place + 9 |D|, of tangents by turn, of second derivatives by 280 far, and r_p, r_q
+ * <= 2.5 far, r_pp, r_pq, r_qq <= 3.5 far.
  *
- * How: P = |AB| + |DC|, Q = |AD| + |BC|, base = P + Q.  begin and end are 0.127 of an edge at most, off by 0.64 u of it, so that x1 and
- * x0 are 0.127 P, off by 0.9 u P; X1, X0, Y0 twice that; Y1 0.51 Q, off by 2.3 u Q + 0.5 u P.  |p| <= 1: |a| <= 0.385, |a1| <= 2, |b| <=
- * 0.5, |b1| <= 0.75, off by 1.4, 8, 1.5, 1.5 u.  Adding up, sums included: tangents 20.5 u Q + 8 u P, d without xS 11 u base, second
- * derivatives 29 u P + 9 u Q; xS less corners 3 u (|D| + 1.1 base), four subtractions 4 u |D| + 2 u base. */
+ * Derivation: P = |AB| + |DC|, Q = |AD| + |BC|, base = P + Q. begin and end are at most 0.127 of an edge, off by 0.64 u
+ * of it, so x1 and x0 are 0.127 P, off by 0.9 u P; X1, X0, Y0 twice that; Y1 0.51 Q, off by 2.3 u Q + 0.5 u P. |p| <=
+ * 1: |a| <= 0.385, |a1| <= 2, |b| <= 0.5, |b1| <= 0.75, off by 1.4, 8, 1.5, 1.5 u. In total, including sums: tangents
+ * 20.5 u Q + 8 u P, d without xS 11 u base, second derivatives 29 u P + 9 u Q; xS minus corners 3 u (|D| + 1.1 base),
+ * four subtractions 4 u |D| + 2 u base. */
 typedef struct {
     double e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3], y0[3], y1[3], Y0[3], Y1[3];
     double third[2], base, tilt, place, turn, far;
@@ -451,9 +461,10 @@ FOOTPOINT_PART void footpoint_detail_bend(const double m[3], const double n[3],
     }
 }
 
-/* The bounds of a net with its vectors; n: normals.  Where |p| <= 1.125, a, w and b, and their first and second derivatives, are 0.385, 2.8, 6.75; 1, 2.25,
- * 2; 0.5, 0.75, 1.69 at most, the third 6, 0, 1.5.  Thus of X1 in third[0] 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9, X0 2 0.75 2 + 1.69 2.25 =
- * 6.9; of Y1 1.5 0.385 + 2 1.69 2.8 + 0.75 6.75 = 15.2, Y0 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7, m 1.69; in third[1] m 1.5 1.125 + 2 1.69. */
+/* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125, a, w and b, and their first and second
+ * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
+ * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
+ * 0.75 6.75 = 15.2 of Y1, 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7 of Y0, 1.69 of m; third[1] has 1.5 1.125 + 2 1.69 of m. */
 FOOTPOINT_PART void footpoint_detail_net_bounds(const double *const *n, footpoint_detail_net *t)
 {
     const double X0 = footpoint_detail_sum(t->X0), X1 = footpoint_detail_sum(t->X1);
@@ -472,7 +483,7 @@ FOOTPOINT_PART void footpoint_detail_net_bounds(const double *const *n, footpoin
     t->far = t->base;
 }
 
-/* The edges AB, DC, AD and BC, and d. */
+/* Computes the edges AB, DC, AD and BC, and d. */
 FOOTPOINT_PART void footpoint_detail_net_edges(const double *const *x, footpoint_detail_bent bent[4],
                                                footpoint_detail_net *t)
 {
@@ -487,7 +498,7 @@ FOOTPOINT_PART void footpoint_detail_net_edges(const double *const *x, footpoint
                           ((x[8][i] - x[2][i]) + (x[8][i] - x[3][i])));
 }
 
-/* What edges and the normals n make. */
+/* Computes the net from edges and normals n. */
 FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n, footpoint_detail_bent bent[4],
                                                 footpoint_detail_net *t)
 {
@@ -521,7 +532,7 @@ FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n, footpoin
     footpoint_detail_net_bounds(n, t);
 }
 
-/* Tangents and second derivatives at (p,q), and d = xS - r. */
+/* Computes tangents and second derivatives at (p,q), and d = xS - r. */
 FOOTPOINT_PART void footpoint_detail_net_local(const footpoint_detail_net *t, double p, double q,
                                                footpoint_detail_local *l)
 {
@@ -567,7 +578,7 @@ FOOTPOINT_PART void footpoint_detail_bezier_local(const footpoint_detail_bezier_
     footpoint_detail_net_local(&t->net, p, q, l);
 }
 
-/* What third derivatives are greater by inside, beside the net's bounds, and along edges. */
+/* Returns the excess of third derivatives over the net's bounds, inside and along edges: 0. */
 FOOTPOINT_PART double footpoint_detail_bezier_inner(const footpoint_detail_bezier_terms *t, double p,
                                                     double q)
 {
@@ -581,7 +592,7 @@ FOOTPOINT_FN double footpoint_detail_bezier_rim(const footpoint_detail_bezier_te
     return 0.0;
 }
 
-/* Where that holds: up to so far from (p,q). */
+/* Returns the distance from (p,q) within which the bounds hold. */
 FOOTPOINT_PART double footpoint_detail_bezier_ball(double p, double q)
 {
     (void)p, (void)q;
@@ -596,37 +607,45 @@ FOOTPOINT_PART void footpoint_detail_bezier_expand(const double *const *x,
     footpoint_detail_bezier_shape(x + 4, bent, t);
 }
 
-/* Kept in the patch. */
+/* Clamps p to the patch. */
 FOOTPOINT_PART double footpoint_detail_bezier_kept(double p)
 {
     const double most = p < 1.0 ? p : 1.0;
     return most > -1.0 ? most : -1.0;
 }
 
-/* A step from (*p,*q) to the foot point, kept in the patch, without a proof: Newton's, and what the same Hessian makes of the slopes that
- * it leaves if third derivatives are nothing, so that its error falls by the third power until these tell. */
+/* Adds to (*p,*q), where r is the surface, Newton's step n and what the same Hessian makes of the slopes that it leaves if third
+ * derivatives are nothing, so that the error falls by the third power until these tell.  Kept in the patch, without a proof. */
+FOOTPOINT_PART void footpoint_detail_bezier_correct(const footpoint_detail_local *r,
+                                                    const footpoint_detail_newton *n, double *p,
+                                                    double *q)
+{
+    double f = 0.0, g = 0.0;
+    int k;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 3; k++) {
+        const double u = r->u[k] + (n->s * r->uu[k] + n->t * r->uv[k]);
+        const double v = r->v[k] + (n->s * r->uv[k] + n->t * r->vv[k]);
+        const double d = r->d[k] - 0.5 * (n->s * (r->u[k] + u) + n->t * (r->v[k] + v));
+        f += u * d;
+        g += v * d;
+    }
+    *p = footpoint_detail_bezier_kept(*p + (n->s + (n->r22 * f - n->r12 * g) * n->per));
+    *q = footpoint_detail_bezier_kept(*q + (n->t + (n->r11 * g - n->r12 * f) * n->per));
+}
+
+/* Such a step from (*p,*q). */
 FOOTPOINT_PART void footpoint_detail_bezier_bare(const footpoint_detail_bezier_terms *of, double *p,
                                                  double *q)
 {
     footpoint_detail_local r;
     footpoint_detail_newton n;
-    double f = 0.0, g = 0.0;
-    int k;
     footpoint_detail_bezier_local(of, *p, *q, &r);
     footpoint_detail_newton_of(&r, &n);
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const double u = r.u[k] + (n.s * r.uu[k] + n.t * r.uv[k]);
-        const double v = r.v[k] + (n.s * r.uv[k] + n.t * r.vv[k]);
-        const double d = r.d[k] - 0.5 * (n.s * (r.u[k] + u) + n.t * (r.v[k] + v));
-        f += u * d;
-        g += v * d;
-    }
-    *p = footpoint_detail_bezier_kept(*p + (n.s + (n.r22 * f - n.r12 * g) * n.per));
-    *q = footpoint_detail_bezier_kept(*q + (n.t + (n.r11 * g - n.r12 * f) * n.per));
+    footpoint_detail_bezier_correct(&r, &n, p, q);
 }
 
-/* d, u and v after a step (s,t), to its second order. */
+/* Updates d, u and v after a step (s,t), to its second order. */
 FOOTPOINT_PART void footpoint_detail_bezier_follow(double s, double t, footpoint_detail_local *r)
 {
     int k;
@@ -639,9 +658,9 @@ FOOTPOINT_PART void footpoint_detail_bezier_follow(double s, double t, footpoint
     }
 }
 
-/* By how much rounding may change (r_xi . D, r_eta . D), and per step, see footpoint_detail_net; dot products and Cramer's rule count
- * as 3 + 4 of 9 u |r_i| |D|, and a step as much more as both entries of a row of the Hessian are off by, 1820 u far^2, and its determinant,
- * 3 u (r11 r22 + r12^2) <= 42 u far^2 max(r11, r22). */
+/* Bounds the effect of rounding on (r_xi . D, r_eta . D), and per step; see footpoint_detail_net. Dot products and
+ * Cramer's rule count as 3 + 4 of 9 u |r_i| |D|. A step counts the errors of both entries of a row of the Hessian, 1820
+ * u far^2, and of its determinant, 3 u (r11 r22 + r12^2) <= 42 u far^2 max(r11, r22). */
 FOOTPOINT_PART void footpoint_detail_bezier_off(const footpoint_detail_net *t, double u, double v, double d,
                                                 double step, double off[2])
 {
@@ -651,19 +670,22 @@ FOOTPOINT_PART void footpoint_detail_bezier_off(const footpoint_detail_net *t, d
     off[1] = place * v + turn;
 }
 
-/* Newton's step from a point in the patch, where r is the surface.  The highest bit of the result is not set if a minimum of the distance is
- * proved to lie within `promise` of the answer, on the patch or on the surface that its polynomials make beside it.
+/* Takes Newton's step from a point in the patch, whose surface is r. The highest bit of the result is not set if a
+ * minimum of the distance is proved to lie within `promise` of the answer, on the patch or on the surface that its
+ * polynomials make beside it.
  *
- * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11 r12; r12 r22];
- * `step` = |H^-1 F|.  Row i of the derivatives of H adds up to l_i = R_i A + 2 R A_i + |D| T_i at most, where R_i = |r_i|,
- * A_i = |r_i1| + |r_i2|, T_i = |r_i11| + 2 |r_i12| + |r_i22|, R and A being sums over i, each the largest in `ball`.  Let w =
- * max(r22 l_1 + |r12| l_2, |r12| l_1 + r11 l_2) / det, so that |1 - H^-1 H(y)| <= w |y - x|.  If h = w step <= 1/4, then there is a
- * root within 1.2 step of x, it is within 0.7 h step of where the step ends, and H is positive definite all the way there.
+ * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11
+ * r12; r12 r22]; `step` = |H^-1 F|. Row i of the derivatives of H adds up to at most l_i = R_i A + 2 R A_i + |D| T_i,
+ * where R_i = |r_i|, A_i = |r_i1| + |r_i2|, T_i = |r_i11| + 2 |r_i12| + |r_i22|, R and A are sums over i, and each is
+ * the largest in `ball`. Let w = max(r22 l_1 + |r12| l_2, |r12| l_1 + r11 l_2) / det, so that |1 - H^-1 H(y)| <= w |y -
+ * x|. If h = w step <= 1/4, then there is a root within 1.2 step of x, it is within 0.7 h step of the step's end, and H
+ * is positive definite on the whole way there.
  *
- * Rounding: F is off by `off`, entries of H by 910 u far^2, far = |D| + net.far: 2 2.5 35 and 19 of r_i . r_j, 280 + 3.5 12 of r_ij . D.  Let
- * e = 1820 u far^2 |H^-1|.  It adds 0.27 e to h, and l_i, off by 5 far 2 1680 u far of |r_ij| twice, 3400 u far^2 |H^-1| as steps are 0.1 at
- * most: 7000 u far^2 |H^-1| is taken of what is allowed to h, which keeps e below 0.07, so that H is definite, too.  The weak
- * inequality of `det` keeps the rounding errors of w and of the step below what 0.72, 0.249 and 0.999 leave. */
+ * Rounding: F is off by `off`, entries of H by 910 u far^2, far = |D| + net.far: 2 2.5 35 and 19 for r_i . r_j, 280 +
+ * 3.5 12 for r_ij . D. Let e = 1820 u far^2 |H^-1|. It adds 0.27 e to h. l_i, off by 5 far 2 1680 u far for |r_ij|
+ * twice, adds 3400 u far^2 |H^-1|, as steps are at most 0.1. So 7000 u far^2 |H^-1| is subtracted from the limit of h.
+ * This keeps e below 0.07, so H is definite, too. The weak inequality of `det` keeps the rounding errors of w and of
+ * the step below the margins of 0.72, 0.249 and 0.999. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bezier_step(const footpoint_detail_bezier_terms *of,
                                                                const footpoint_detail_local *r, double promise,
                                                                double *p, double *q)
@@ -707,8 +729,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bezier_step(const footpoint_d
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
 }
 
-/* xi, eta and the gap (9) from where a search ended, by `bare` steps and one that is proved.  The gap, and the normal along which it is, follow
- * from the values of the last step, to its second order, if the step is short: `near`. */
+/* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step. If that step is short
+ * (`near`), the gap and its normal follow from the values before it, to its second order. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bezier_patch(const double *const *x, double promise, int bare,
                                                                 int near, double least, double *xi, double *eta,
                                                                 double *gap)
@@ -739,7 +761,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bezier_patch(const double *co
 #define FOOTPOINT_OUTSIDE 1
 #endif
 
-/* The square of the distance at `at`. */
+/* Returns the squared distance at `at`. */
 FOOTPOINT_COLD double footpoint_detail_bezier_apart(const footpoint_detail_bezier_terms *of,
                                                     const double at[2])
 {
@@ -748,12 +770,13 @@ FOOTPOINT_COLD double footpoint_detail_bezier_apart(const footpoint_detail_bezie
     return footpoint_detail_dot(r.d, r.d);
 }
 
-/* Whether a minimum of the distance on the closed patch is proved to lie within `promise` of where (p,q), on an edge or in a corner,
- * moves to, one from which the distance falls beyond the border.  out: which coordinates are held, 1 or -1, else 0; r: the surface there.
+/* Returns 1 if a minimum of the distance on the closed patch is proved to lie within `promise` of the place to which
+ * (p,q), on an edge or in a corner, moves, and the distance falls from there beyond the border. out: 1 or -1 for held
+ * coordinates, otherwise 0; r: the surface there.
  *
- * In a corner both slopes are, by more than rounding.  On an edge, along coordinate j, F_j = r_j . D has the derivative -h, h = r_j . r_j -
- * r_jj . D, which changes by 3 |r_j| |r_jj| + |D| |r_jjj| at most: Newton's step is proved as above.  Slopes across change by |r_ij| |D| +
- * |r_i| |r_j| at most on the way to the root. */
+ * In a corner both slopes must lead outwards by more than rounding. On an edge, along coordinate j, F_j = r_j . D has
+ * the derivative -h, h = r_j . r_j - r_jj . D, which changes by at most 3 |r_j| |r_jj| + |D| |r_jjj|: Newton's step is
+ * proved as above. Slopes across change by at most |r_ij| |D| + |r_i| |r_j| on the way to the root. */
 FOOTPOINT_COLD int footpoint_detail_bezier_border(const footpoint_detail_bezier_terms *of,
                                                   const footpoint_detail_local *r, const int out[2],
                                                   double promise, double at[2])
@@ -797,7 +820,8 @@ FOOTPOINT_COLD int footpoint_detail_bezier_border(const footpoint_detail_bezier_
     return 1;
 }
 
-/* Newton's step on the patch from `at`, of coordinates that are not held; that of Gauss and Newton where the Hessian is not positive. */
+/* Computes Newton's step on the patch from `at`, in the coordinates that are not held; the Gauss-Newton step if the
+ * Hessian is not positive definite. */
 FOOTPOINT_COLD void footpoint_detail_bezier_move(const footpoint_detail_local *r, const int out[2],
                                                  double step[2])
 {
@@ -821,7 +845,8 @@ FOOTPOINT_COLD void footpoint_detail_bezier_move(const footpoint_detail_local *r
     step[1] = (r11 * g - r12 * f) / det;
 }
 
-/* From `at` by up to 30 steps until one is proved: FOOTPOINT_OK, FOOTPOINT_OUTSIDE, or FOOTPOINT_UNPROVED. */
+/* Takes up to 30 steps from `at` until one is proved. Returns FOOTPOINT_OK, FOOTPOINT_OUTSIDE, or
+ * FOOTPOINT_UNPROVED. */
 FOOTPOINT_COLD int footpoint_detail_bezier_steps(const footpoint_detail_bezier_terms *of, double promise,
                                                  double at[2])
 {
@@ -856,13 +881,13 @@ FOOTPOINT_COLD int footpoint_detail_bezier_steps(const footpoint_detail_bezier_t
         } while (moved > 1e-4 && damp > 1e-4 && !(footpoint_detail_bezier_apart(of, to) <= apart));
         at[0] = to[0];
         at[1] = to[1];
-        if (!(moved > 1e-3 * promise) && !(moved > 1e-12)) /* rounding forbids the proof */
+        if (!(moved > 1e-3 * promise) && !(moved > 1e-12)) /* rounding prevents the proof */
             break;
     }
     return FOOTPOINT_UNPROVED;
 }
 
-/* Steps from where the search ends, and from the middle. */
+/* Takes steps from the end of the search, and from the middle. */
 FOOTPOINT_COLD int footpoint_detail_bezier_repair(footpoint_detail_search *search,
                                                   const double *const *x, double promise, double at[2])
 {
@@ -883,8 +908,8 @@ FOOTPOINT_COLD int footpoint_detail_bezier_repair(footpoint_detail_search *searc
     return status;
 }
 
-/* The answer where a search is not good beyond doubt: the search once more, in a unit of length in which the segment is about 1 long,
- * then repair. */
+/* Answers if a search is not good beyond doubt: searches again in a unit of length in which the segment is about 1
+ * long, then repairs. */
 FOOTPOINT_COLD int footpoint_detail_bezier_answer(footpoint_detail_search *search,
                                                   const double *const *x, int nodes, double promise,
                                                   double loc[2], double *gap)
@@ -904,11 +929,101 @@ FOOTPOINT_COLD int footpoint_detail_bezier_answer(footpoint_detail_search *searc
     }
     g = ldexp(g, exponent);
     if (footpoint_detail_infinite(g) >> 63)
-        return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+        return FOOTPOINT_ERR_DEGENERATE; /* the distance overflows */
     loc[0] = at[0];
     loc[1] = at[1];
     *gap = g;
     return status;
+}
+#endif
+
+#ifndef FOOTPOINT_BEZIER_FROM
+#define FOOTPOINT_BEZIER_FROM
+/* Returns its highest bit set if (xi,eta) is more than half of the patch away from loc, or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bezier_strayed(const double loc[2], double xi, double eta)
+{
+    return footpoint_detail_above(xi - loc[0], 1.0) | footpoint_detail_above(eta - loc[1], 1.0);
+}
+
+/* Moves from loc to the foot point (*xi,*eta) and computes the gap there. It takes corrected Newton steps until the
+ * next one is so short that footpoint_detail_bezier_step() mostly proves it. The highest bit of the result is not set if
+ * a minimum of the distance is proved to lie within `promise` of the answer, which is at most half of the patch away
+ * from loc. Any loc is allowed, also NaN. Nothing is proved if a step leaves the patch. */
+FOOTPOINT_APART unsigned long long footpoint_detail_bezier_from(const double *const *x, double promise, double least,
+                                                                const double loc[2], double *xi, double *eta,
+                                                                double *gap)
+{
+    footpoint_detail_bezier_terms of;
+    footpoint_detail_local r;
+    footpoint_detail_newton n;
+    unsigned long long doubt = (unsigned long long)1 << 63;
+    double p, q, size, step = 1.0;
+    int k;
+    *gap = 0.0;
+    if (footpoint_detail_infinite(loc[0] + loc[1]) >> 63)
+        return doubt; /* comparisons with NaN raise exceptions */
+    p = footpoint_detail_bezier_kept(loc[0]);
+    q = footpoint_detail_bezier_kept(loc[1]);
+    footpoint_detail_bezier_expand(x, &of);
+    for (k = 0; k < 5 && doubt >> 63; k++) {
+        footpoint_detail_bezier_local(&of, p, q, &r);
+        footpoint_detail_newton_of(&r, &n);
+        step = footpoint_detail_greater(fabs(n.s), fabs(n.t));
+        if ((footpoint_detail_above(p + n.s, 1.0 + promise) |
+             footpoint_detail_above(q + n.t, 1.0 + promise)) >>
+            63)
+            return doubt;
+        if (10.0 * step * step < promise) {
+            *xi = p;
+            *eta = q;
+            doubt = footpoint_detail_bezier_step(&of, &r, promise, xi, eta);
+            n.s = *xi - p;
+            n.t = *eta - q;
+            p = *xi;
+            q = *eta;
+        } else
+            footpoint_detail_bezier_correct(&r, &n, &p, &q);
+    }
+    if (step < 1e-3)
+        footpoint_detail_bezier_follow(n.s, n.t, &r);
+    else
+        footpoint_detail_bezier_local(&of, p, q, &r);
+    size = of.net.base * of.net.base;
+    return doubt | footpoint_detail_bezier_strayed(loc, p, q) |
+           footpoint_detail_normal_gap(r.u, r.v, r.d, size, size, 0.0625 * size, least, p + q, gap);
+}
+
+/* Answers if that proves nothing. It takes steps from loc that keep to the patch and may follow its border, then
+ * searches from scratch. The unit of length is as in footpoint_detail_bezier_answer(). */
+FOOTPOINT_COLD int footpoint_detail_bezier_further(footpoint_detail_search *search,
+                                                   const double *const *x, double promise, double loc[2],
+                                                   double *gap)
+{
+    footpoint_detail_bezier_terms of;
+    double y[9][3], at[2], g;
+    const double *z[9];
+    int exponent = 0, status, i;
+    if (footpoint_detail_infinite(loc[0] + loc[1]) >> 63 ||
+        footpoint_detail_scale(x, 4, 9, y, &exponent) != FOOTPOINT_OK)
+        return footpoint_detail_bezier_answer(search, x, 4, promise, loc, gap);
+    for (i = 0; i < 9; i++)
+        z[i] = y[i];
+    at[0] = footpoint_detail_bezier_kept(loc[0]);
+    at[1] = footpoint_detail_bezier_kept(loc[1]);
+    footpoint_detail_bezier_expand(z, &of);
+    status = footpoint_detail_bezier_steps(&of, promise, at);
+    if (status != FOOTPOINT_UNPROVED) {
+        const unsigned long long doubt = footpoint_detail_bezier_strayed(loc, at[0], at[1]) |
+                                footpoint_detail_bezier_gap(z, at[0], at[1], 1e-6, &g);
+        g = ldexp(g, exponent);
+        if (!((doubt | footpoint_detail_infinite(g)) >> 63)) {
+            loc[0] = at[0];
+            loc[1] = at[1];
+            *gap = g;
+            return status;
+        }
+    }
+    return footpoint_detail_bezier_answer(search, x, 4, promise, loc, gap);
 }
 #endif
 
@@ -935,8 +1050,8 @@ FOOTPOINT_PART void footpoint_detail_bezier_n(footpoint_detail_bezier_search *se
     }
 }
 
-/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
- * doubt is searched in full behind the loop. */
+/* Searches with statuses. p: the vectors, the first `nodes` of which another unit of length changes. Answers that are
+ * not good beyond doubt are searched in full after the loop. */
 FOOTPOINT_PART void footpoint_detail_bezier_full(footpoint_detail_search *search,
                                                  const double *const *row, int nodes, double promise,
                                                  double *xi, double *eta, double *gap, int *status)
@@ -954,7 +1069,7 @@ FOOTPOINT_PART void footpoint_detail_bezier_full(footpoint_detail_search *search
 #define FOOTPOINT_DETAIL_POWERS
 enum { FOOTPOINT_LANES = 16 }; /* pairs at a time */
 
-/* The largest power of two that is not greater than x, an ordinary number, and its inverse. */
+/* Computes the largest power of two that is at most x, an ordinary number, and its inverse. */
 FOOTPOINT_PART void footpoint_detail_powers(double x, double *power, double *inverse)
 {
     const unsigned long long one = (unsigned long long)1 << (53 - 1), all = ((unsigned long long)1 << 63) - one;
@@ -971,8 +1086,9 @@ FOOTPOINT_PART void footpoint_detail_powers(double x, double *power, double *inv
 
 #ifndef FOOTPOINT_DETAIL_BITS_F
 #define FOOTPOINT_DETAIL_BITS_F
-/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
- * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_bits(float x)
 {
     union {
@@ -983,8 +1099,8 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_bits(float x)
     return both.bits;
 }
 
-/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
- * four instructions each instead of one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
 FOOTPOINT_PART float footpoint_detail_f_zero(void)
 {
     const volatile int zero = 0;
@@ -1040,7 +1156,7 @@ FOOTPOINT_PART float footpoint_detail_f_dot(const float a[3], const float b[3])
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS_F
 #define FOOTPOINT_DETAIL_BOUNDS_F
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -1050,7 +1166,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
 #endif
 }
 
-/* The greater number; a comparison with NaN raises no exception. */
+/* Returns the greater number; a comparison with NaN raises no exception. */
 FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -1060,21 +1176,27 @@ FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
 #endif
 }
 
-/* The sum of the absolute values, and the largest. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART float footpoint_detail_f_sum(const float a[3])
 {
     return fabsf(a[0]) + fabsf(a[1]) + fabsf(a[2]);
 }
 
-FOOTPOINT_PART float footpoint_detail_f_most(const float a[3])
-{
-    return footpoint_detail_f_greater(fabsf(a[0]), footpoint_detail_f_greater(fabsf(a[1]), fabsf(a[2])));
-}
-
-/* The scalar product of a, >= 0, and |b|. */
+/* Returns the scalar product of a, >= 0, and |b|. */
 FOOTPOINT_PART float footpoint_detail_f_weigh(const float a[3], const float b[3])
 {
     return a[0] * fabsf(b[0]) + a[1] * fabsf(b[1]) + a[2] * fabsf(b[2]);
+}
+
+/* Not less than the root of x >= 0, and at most 1.061f times that: half of its exponent, as logarithms have it. */
+FOOTPOINT_PART float footpoint_detail_f_root_bound(float x)
+{
+    union {
+        float number;
+        unsigned int bits;
+    } both;
+    both.bits = (footpoint_detail_f_bits(x) >> 1) + (footpoint_detail_f_bits(1.0f) >> 1);
+    return both.number;
 }
 #endif
 
@@ -1085,7 +1207,7 @@ typedef struct {
     float u[3], v[3], uu[3], uv[3], vv[3], d[3];
 } footpoint_detail_f_local;
 
-/* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the square of the distance and per = 1 / det. */
+/* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the squared distance and per = 1 / det. */
 typedef struct {
     float r11, r12, r22, det, per, s, t;
 } footpoint_detail_f_newton;
@@ -1106,17 +1228,20 @@ FOOTPOINT_PART void footpoint_detail_f_newton_of(const footpoint_detail_f_local 
 
 #ifndef FOOTPOINT_DETAIL_NET_F
 #define FOOTPOINT_DETAIL_NET_F
-/* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is (1 - p^2)
- * (p x1 - x0), X, y and Y likewise: x bends the mean of the edges AB and DC, X is what DC bends more than AB.  d = xS - r0.
+/* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
+ * (1 - p^2) (p x1 - x0), and X, y and Y likewise: x bends the mean of the edges AB and DC, X is the excess bend of DC
+ * over AB. d = xS - r0.
  *
- * third: bounds of |r_ppp| + 2 |r_ppq| + |r_pqq|, and with p and q exchanged, within 1/8 of the patch.  base: the sum of the edges'
- * absolute coordinates; tilt: the largest square of a normal.  Rounding, in units of u = 1.11e-16f, if tilt <= 1.01f: coordinates of d
- * are off by place + 9 |D|, of tangents by turn, of second derivatives by 280 far, and r_p, r_q <= 2.5f far, r_pp, r_pq, r_qq <= 3.5f far.
+ * third: bounds of |r_ppp| + 2 |r_ppq| + |r_pqq|, and with p and q exchanged, within 1/8 of the patch. base: the sum of
+ * the edges' absolute coordinates; tilt: the largest square of a normal. Rounding, in units of u = 1.11e-16f, if tilt <=
+ * 1.01f: coordinates of d are off by place + 9 |D|, of tangents by turn, of second derivatives by 280 far, and r_p, r_q
+ * <= 2.5f far, r_pp, r_pq, r_qq <= 3.5f far.
  *
- * How: P = |AB| + |DC|, Q = |AD| + |BC|, base = P + Q.  begin and end are 0.127f of an edge at most, off by 0.64f u of it, so that x1 and
- * x0 are 0.127f P, off by 0.9f u P; X1, X0, Y0 twice that; Y1 0.51f Q, off by 2.3f u Q + 0.5f u P.  |p| <= 1: |a| <= 0.385f, |a1| <= 2, |b| <=
- * 0.5f, |b1| <= 0.75f, off by 1.4f, 8, 1.5f, 1.5f u.  Adding up, sums included: tangents 20.5f u Q + 8 u P, d without xS 11 u base, second
- * derivatives 29 u P + 9 u Q; xS less corners 3 u (|D| + 1.1f base), four subtractions 4 u |D| + 2 u base. */
+ * Derivation: P = |AB| + |DC|, Q = |AD| + |BC|, base = P + Q. begin and end are at most 0.127f of an edge, off by 0.64f u
+ * of it, so x1 and x0 are 0.127f P, off by 0.9f u P; X1, X0, Y0 twice that; Y1 0.51f Q, off by 2.3f u Q + 0.5f u P. |p| <=
+ * 1: |a| <= 0.385f, |a1| <= 2, |b| <= 0.5f, |b1| <= 0.75f, off by 1.4f, 8, 1.5f, 1.5f u. In total, including sums: tangents
+ * 20.5f u Q + 8 u P, d without xS 11 u base, second derivatives 29 u P + 9 u Q; xS minus corners 3 u (|D| + 1.1f base),
+ * four subtractions 4 u |D| + 2 u base. */
 typedef struct {
     float e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3], y0[3], y1[3], Y0[3], Y1[3];
     float third[2], base, tilt, place, turn, far;
@@ -1140,9 +1265,10 @@ FOOTPOINT_PART void footpoint_detail_f_bend(const float m[3], const float n[3],
     }
 }
 
-/* The bounds of a net with its vectors; n: normals.  Where |p| <= 1.125f, a, w and b, and their first and second derivatives, are 0.385f, 2.8f, 6.75f; 1, 2.25f,
- * 2; 0.5f, 0.75f, 1.69f at most, the third 6, 0, 1.5.  Thus of X1 in third[0] 0.5f 6 + 2 0.75f 6.75f + 1.69f 2.8f = 17.9f, X0 2 0.75f 2 + 1.69f 2.25f =
- * 6.9f; of Y1 1.5f 0.385f + 2 1.69f 2.8f + 0.75f 6.75f = 15.2f, Y0 1.5f + 2 1.69f 2.25f + 0.75f 2 = 10.7f, m 1.69f; in third[1] m 1.5f 1.125f + 2 1.69. */
+/* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125f, a, w and b, and their first and second
+ * derivatives, are at most 0.385f, 2.8f, 6.75f; 1, 2.25f, 2; 0.5f, 0.75f, 1.69f, the third derivatives 6, 0, 1.5. Thus
+ * third[0] has 0.5f 6 + 2 0.75f 6.75f + 1.69f 2.8f = 17.9f of X1, 2 0.75f 2 + 1.69f 2.25f = 6.9f of X0; 1.5f 0.385f + 2 1.69f 2.8f +
+ * 0.75f 6.75f = 15.2f of Y1, 1.5f + 2 1.69f 2.25f + 0.75f 2 = 10.7f of Y0, 1.69f of m; third[1] has 1.5f 1.125f + 2 1.69f of m. */
 FOOTPOINT_PART void footpoint_detail_f_net_bounds(const float *const *n, footpoint_detail_f_net *t)
 {
     const float X0 = footpoint_detail_f_sum(t->X0), X1 = footpoint_detail_f_sum(t->X1);
@@ -1161,7 +1287,7 @@ FOOTPOINT_PART void footpoint_detail_f_net_bounds(const float *const *n, footpoi
     t->far = t->base;
 }
 
-/* The edges AB, DC, AD and BC, and d. */
+/* Computes the edges AB, DC, AD and BC, and d. */
 FOOTPOINT_PART void footpoint_detail_f_net_edges(const float *const *x, footpoint_detail_f_bent bent[4],
                                                  footpoint_detail_f_net *t)
 {
@@ -1176,7 +1302,7 @@ FOOTPOINT_PART void footpoint_detail_f_net_edges(const float *const *x, footpoin
                            ((x[8][i] - x[2][i]) + (x[8][i] - x[3][i])));
 }
 
-/* What edges and the normals n make. */
+/* Computes the net from edges and normals n. */
 FOOTPOINT_PART void footpoint_detail_f_net_expand(const float *const *n, footpoint_detail_f_bent bent[4],
                                                   footpoint_detail_f_net *t)
 {
@@ -1210,7 +1336,7 @@ FOOTPOINT_PART void footpoint_detail_f_net_expand(const float *const *n, footpoi
     footpoint_detail_f_net_bounds(n, t);
 }
 
-/* Tangents and second derivatives at (p,q), and d = xS - r. */
+/* Computes tangents and second derivatives at (p,q), and d = xS - r. */
 FOOTPOINT_PART void footpoint_detail_f_net_local(const footpoint_detail_f_net *t, float p, float q,
                                                  footpoint_detail_f_local *l)
 {
@@ -1239,9 +1365,9 @@ FOOTPOINT_PART void footpoint_detail_f_net_local(const footpoint_detail_f_net *t
 
 #ifndef FOOTPOINT_DETAIL_F_BLOCK
 #define FOOTPOINT_DETAIL_F_BLOCK
-/* Vectors x of pairs; edges AB, DC, AD, BC, normals, and xS less the middle, for the search, in a unit of length in which the sum of the
- * edges' absolute coordinates, `size`, is from 1 to 2; that unit.  Where the search is, (p,q); gap; and in the highest bit of `doubt` whether
- * they are not proved. */
+/* Vectors x of pairs; edges AB, DC, AD, BC, normals, and xS minus the middle, for the search, in a unit of length in
+ * which `size`, the sum of the edges' absolute coordinates, is from 1 to 2; that unit. (p,q): the present point of the
+ * search; gap. The highest bit of `doubt` is set if they are not proved. */
 typedef struct {
     double x[9][3][FOOTPOINT_LANES], unit[FOOTPOINT_LANES];
     float edge[4][3][FOOTPOINT_LANES], normal[4][3][FOOTPOINT_LANES], d[3][FOOTPOINT_LANES];
@@ -1249,7 +1375,7 @@ typedef struct {
     unsigned int doubt[FOOTPOINT_LANES];
 } footpoint_detail_f_block;
 
-/* From x all that precedes a search. */
+/* Computes from x everything that precedes a search. */
 FOOTPOINT_APART void footpoint_detail_f_narrow(footpoint_detail_f_block *FOOTPOINT_RESTRICT b)
 {
     int l, k, i;
@@ -1327,37 +1453,45 @@ FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_expand(const float *const *x
     footpoint_detail_f_bezier_lanes_shape(x + 4, bent, t);
 }
 
-/* Kept in the patch. */
+/* Clamps p to the patch. */
 FOOTPOINT_PART float footpoint_detail_f_bezier_lanes_kept(float p)
 {
     const float most = p < 1.0f ? p : 1.0f;
     return most > -1.0f ? most : -1.0f;
 }
 
-/* A step from (*p,*q) to the foot point, kept in the patch, without a proof: Newton's, and what the same Hessian makes of the slopes that
- * it leaves if third derivatives are nothing, so that its error falls by the third power until these tell. */
+/* Adds to (*p,*q), where r is the surface, Newton's step n and what the same Hessian makes of the slopes that it leaves if third
+ * derivatives are nothing, so that the error falls by the third power until these tell.  Kept in the patch, without a proof. */
+FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_correct(const footpoint_detail_f_local *r,
+                                                            const footpoint_detail_f_newton *n, float *p,
+                                                            float *q)
+{
+    float f = 0.0f, g = 0.0f;
+    int k;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 3; k++) {
+        const float u = r->u[k] + (n->s * r->uu[k] + n->t * r->uv[k]);
+        const float v = r->v[k] + (n->s * r->uv[k] + n->t * r->vv[k]);
+        const float d = r->d[k] - 0.5f * (n->s * (r->u[k] + u) + n->t * (r->v[k] + v));
+        f += u * d;
+        g += v * d;
+    }
+    *p = footpoint_detail_f_bezier_lanes_kept(*p + (n->s + (n->r22 * f - n->r12 * g) * n->per));
+    *q = footpoint_detail_f_bezier_lanes_kept(*q + (n->t + (n->r11 * g - n->r12 * f) * n->per));
+}
+
+/* Such a step from (*p,*q). */
 FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_bare(const footpoint_detail_f_bezier_lanes_terms *of, float *p,
                                                          float *q)
 {
     footpoint_detail_f_local r;
     footpoint_detail_f_newton n;
-    float f = 0.0f, g = 0.0f;
-    int k;
     footpoint_detail_f_bezier_lanes_local(of, *p, *q, &r);
     footpoint_detail_f_newton_of(&r, &n);
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const float u = r.u[k] + (n.s * r.uu[k] + n.t * r.uv[k]);
-        const float v = r.v[k] + (n.s * r.uv[k] + n.t * r.vv[k]);
-        const float d = r.d[k] - 0.5f * (n.s * (r.u[k] + u) + n.t * (r.v[k] + v));
-        f += u * d;
-        g += v * d;
-    }
-    *p = footpoint_detail_f_bezier_lanes_kept(*p + (n.s + (n.r22 * f - n.r12 * g) * n.per));
-    *q = footpoint_detail_f_bezier_lanes_kept(*q + (n.t + (n.r11 * g - n.r12 * f) * n.per));
+    footpoint_detail_f_bezier_lanes_correct(&r, &n, p, q);
 }
 
-/* d, u and v after a step (s,t), to its second order. */
+/* Updates d, u and v after a step (s,t), to its second order. */
 FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_follow(float s, float t, footpoint_detail_f_local *r)
 {
     int k;
@@ -1370,14 +1504,15 @@ FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_follow(float s, float t, foo
     }
 }
 
-/* As the proof of patch_proof.h, but rounding is counted term by term, in units of 1.5f u: in single precision edges and normals are rounded
- * before the net is made of them.  An edge is rounded once either way.  A normal enters a product by two
- * roundings or more, so that its own makes half as many more.
+/* Proves a step as patch_proof.h does, but counts rounding term by term, in units of 1.5f u: in single precision edges
+ * and normals are rounded before the net is computed from them. An edge is rounded once in both cases. A normal enters
+ * a product with at least two roundings, so its own rounding adds half as much.
  *
- * With H as computed from x, off by less than k, F by less than (f,g), and eta = |H^-1 F| + off: |1 - H^-1 H(y)| <= most + w |y - x|, most =
- * |H^-1| k.  If 2 most + w eta <= 1/4, then there is a root within 1.25f eta of x, within (1.25f most + 0.79f w eta) eta + off of where the
- * step ends, and H is positive definite all the way there.  Third derivatives are off by 25000 units of far at most where
- * footpoint_detail_f_bezier_lanes_ball() admits them.  det >= 1e-3f r11 r22 keeps its rounding errors below what 1.3f, 0.8f and 0.249f leave. */
+ * H as computed at x is off by less than k, F by less than (f,g). With eta = |H^-1 F| + off, |1 - H^-1 H(y)| <= most +
+ * w |y - x|, most = |H^-1| k. If 2 most + w eta <= 1/4, then there is a root within 1.25f eta of x, within (1.25f most +
+ * 0.79f w eta) eta + off of the step's end, and H is positive definite on the whole way there. Third derivatives are off
+ * by at most 25000 units of far if footpoint_detail_f_bezier_lanes_ball() admits them. det >= 1e-3f r11 r22 keeps its rounding
+ * errors below the margins of 1.3f, 0.8f and 0.249. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_bezier_lanes_lane(const footpoint_detail_f_bezier_lanes_terms *of,
                                                                  const footpoint_detail_f_local *r, float promise,
                                                                  float *p, float *q)
@@ -1432,7 +1567,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_bezier_lanes_lane(const footpoint
            footpoint_detail_f_infinite(room + other) | footpoint_detail_f_fast();
 }
 
-/* 1 / sqrtf(x) of ordinary x by four of Newton's steps: no call, no division. */
+/* Returns 1 / sqrtf(x) of ordinary x by four Newton steps, without a call or a division. */
 FOOTPOINT_PART float footpoint_detail_f_bezier_lanes_root(float x)
 {
     union {
@@ -1447,7 +1582,7 @@ FOOTPOINT_PART float footpoint_detail_f_bezier_lanes_root(float x)
     return y.number * (1.5f - half * y.number * y.number);
 }
 
-/* The gap of r, where tangents have an angle. */
+/* Computes the gap of r, if the tangents are not parallel. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_bezier_lanes_rise(const footpoint_detail_f_local *r, float *gap)
 {
     float n[3], nn;
@@ -1459,7 +1594,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_bezier_lanes_rise(const footpoint
                nn - 1e-3f * (footpoint_detail_f_dot(r->u, r->u) * footpoint_detail_f_dot(r->v, r->v)));
 }
 
-/* What the patches are, by number of the value. */
+/* Holds the patches' data, indexed by number of the value. */
 enum { footpoint_detail_f_bezier_lanes_count = (sizeof(footpoint_detail_f_bezier_lanes_terms) / sizeof(float) + 2) / 3 };
 typedef struct {
     float v[footpoint_detail_f_bezier_lanes_count][3][FOOTPOINT_LANES];
@@ -1497,7 +1632,7 @@ FOOTPOINT_APART void footpoint_detail_f_bezier_lanes_shapes(const footpoint_deta
     }
 }
 
-/* The patch of a lane, with xS of another. */
+/* Copies the patch of a lane, with xS of another. */
 FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_take(const footpoint_detail_f_block *b,
                                                          const footpoint_detail_f_bezier_lanes_lanes *t,
                                                          int l, footpoint_detail_f_bezier_lanes_one *one)
@@ -1552,10 +1687,10 @@ footpoint_detail_f_bezier_lanes_proofs(footpoint_detail_f_block *FOOTPOINT_RESTR
     }
 }
 
-/* Where a search begins. */
+/* Computes the start of a search. */
 typedef void footpoint_detail_f_bezier_lanes_begin(footpoint_detail_f_block *b);
 
-/* Columns of pairs, or of slave nodes, from `first` on; the last of them instead of those that lack. */
+/* Loads columns of pairs, or of slave nodes, from `first` on; repeats the last to fill the block. */
 FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_load(footpoint_detail_f_block *b, const double *const *column,
                                                          int begin,
                                                          size_t first, size_t n)
@@ -1573,7 +1708,7 @@ FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_load(footpoint_detail_f_bloc
     }
 }
 
-/* Results of `count` lanes; the highest bit is set if any of them is not proved. */
+/* Stores results of `count` lanes; the highest bit is set if any of them is not proved. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_bezier_lanes_store(const footpoint_detail_f_block *b, int count,
                                                                   double *FOOTPOINT_RESTRICT xi,
                                                                   double *FOOTPOINT_RESTRICT eta,
@@ -1593,9 +1728,63 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_bezier_lanes_store(const footpoin
     return doubt;
 }
 
-/* The answers of pairs that are not proved, by a search of each. */
+/* Keeps last answers, which results overwrite. */
+typedef struct {
+    double loc[2][FOOTPOINT_LANES];
+} footpoint_detail_f_bezier_lanes_last;
+
+/* Begins with the last answers, or with the middle if an answer is no number. */
+FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_resume(footpoint_detail_f_block *b,
+                                                           footpoint_detail_f_bezier_lanes_last *last,
+                                                           int count, const double *xi, const double *eta)
+{
+    int l;
+    for (l = 0; l < FOOTPOINT_LANES; l++) {
+        const int from = l < count ? l : count - 1;
+        const float x = (float)(last->loc[0][l] = xi[from]), y = (float)(last->loc[1][l] = eta[from]);
+        const int good =
+            !((footpoint_detail_f_above(x, 2.0f) | footpoint_detail_f_above(y, 2.0f)) >> 31);
+        b->p[l] = good ? footpoint_detail_f_bezier_lanes_kept(x) : (float)0.0f;
+        b->q[l] = good ? footpoint_detail_f_bezier_lanes_kept(y) : (float)0.0f;
+    }
+}
+
+/* Takes up to `most` steps, until the longest is so short that a proved step mostly succeeds; see step_leaves() of the
+ * generator. */
+FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_settle(footpoint_detail_f_block *b,
+                                                           const footpoint_detail_f_bezier_lanes_lanes *t,
+                                                           int most, double promise)
+{
+    float p[FOOTPOINT_LANES], q[FOOTPOINT_LANES], left = 1.0f;
+    int l;
+    for (; most > 0 && 10.0f * left * left > promise; most--) {
+        float longest = 0.0f;
+        for (l = 0; l < FOOTPOINT_LANES; l++) {
+            p[l] = b->p[l];
+            q[l] = b->q[l];
+        }
+        footpoint_detail_f_bezier_lanes_bares(b, t);
+        for (l = 0; l < FOOTPOINT_LANES; l++)
+            longest = footpoint_detail_f_greater(
+                longest, footpoint_detail_f_greater(fabsf(b->p[l] - p[l]), fabsf(b->q[l] - q[l])));
+        left = longest * longest * (0.3f * longest + 0.003f);
+    }
+}
+
+/* Doubts answers that are more than half of the patch away from the last answer, or whose last answer is no number. */
+FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_astray(footpoint_detail_f_block *b,
+                                                           const footpoint_detail_f_bezier_lanes_last *last)
+{
+    int l;
+    for (l = 0; l < FOOTPOINT_LANES; l++)
+        b->doubt[l] |= footpoint_detail_f_above(b->p[l] - (float)last->loc[0][l], 1.0f) |
+                       footpoint_detail_f_above(b->q[l] - (float)last->loc[1][l], 1.0f);
+}
+
+/* Searches unproved pairs one by one, from the last answers unless `last` is NULL. */
 FOOTPOINT_COLD void footpoint_detail_f_bezier_lanes_mend(footpoint_detail_search *search,
-                                                         const footpoint_detail_f_block *b, int count,
+                                                         const footpoint_detail_f_block *b,
+                                                         const footpoint_detail_f_bezier_lanes_last *last, int count,
                                                          double promise, double *xi, double *eta, double *gap,
                                                          int *status)
 {
@@ -1606,13 +1795,17 @@ FOOTPOINT_COLD void footpoint_detail_f_bezier_lanes_mend(footpoint_detail_search
             const double *const row[9] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8]};
             for (k = 0; k < 27; k++)
                 x[k / 3][k % 3] = b->x[k / 3][k % 3][l];
-            status[l] = footpoint_detail_bezier_answer(search, row, 4, promise, loc, &gap[l]);
+            for (k = 0; last && k < 2; k++)
+                loc[k] = last->loc[k][l];
+            status[l] = last ? footpoint_detail_bezier_further(search, row, promise, loc, &gap[l])
+                             : footpoint_detail_bezier_answer(search, row, 4, promise, loc, &gap[l]);
             xi[l] = loc[0];
             eta[l] = loc[1];
         }
 }
 
-/* n pairs, or n slave nodes over one segment unless that is NULL; column: of their coordinates. */
+/* Searches n pairs or, unless `segment` is NULL, n slave nodes over one segment; `column` holds their coordinates. It
+ * starts with `begin` or, if that is NULL, from the last answers in xi and eta, with at most `bare` steps. */
 FOOTPOINT_APART void footpoint_detail_f_bezier_lanes_run(footpoint_detail_f_bezier_lanes_begin *begin, int bare,
                                                          footpoint_detail_search *search,
                                                          const double *const *segment,
@@ -1622,6 +1815,7 @@ FOOTPOINT_APART void footpoint_detail_f_bezier_lanes_run(footpoint_detail_f_bezi
 {
     footpoint_detail_f_block b;
     footpoint_detail_f_bezier_lanes_lanes t;
+    footpoint_detail_f_bezier_lanes_last last;
     size_t i;
     int l, k;
     for (k = 0; segment && k < 24; k++)
@@ -1633,23 +1827,30 @@ FOOTPOINT_APART void footpoint_detail_f_bezier_lanes_run(footpoint_detail_f_bezi
         footpoint_detail_f_narrow(&b);
         if (i == 0 || !segment)
             footpoint_detail_f_bezier_lanes_shapes(&b, &t);
-        begin(&b);
-        for (k = 0; k < bare; k++)
-            footpoint_detail_f_bezier_lanes_bares(&b, &t);
+        if (begin) {
+            begin(&b);
+            for (k = 0; k < bare; k++)
+                footpoint_detail_f_bezier_lanes_bares(&b, &t);
+        } else {
+            footpoint_detail_f_bezier_lanes_resume(&b, &last, count, xi + i, eta + i);
+            footpoint_detail_f_bezier_lanes_settle(&b, &t, bare, (float)promise);
+        }
         footpoint_detail_f_bezier_lanes_proofs(&b, &t, (float)promise);
+        if (!begin)
+            footpoint_detail_f_bezier_lanes_astray(&b, &last);
         if (footpoint_detail_f_bezier_lanes_store(&b, count, xi + i, eta + i, gap + i, status + i) >>
             31)
-            footpoint_detail_f_bezier_lanes_mend(search, &b, count, promise, xi + i, eta + i, gap + i,
-                                                 status + i);
+            footpoint_detail_f_bezier_lanes_mend(search, &b, begin ? NULL : &last, count, promise, xi + i,
+                                                 eta + i, gap + i, status + i);
     }
 }
 #endif
 
 #ifndef FOOTPOINT_DETAIL_BLOCK
 #define FOOTPOINT_DETAIL_BLOCK
-/* Vectors x of pairs; edges AB, DC, AD, BC, normals, and xS less the middle, for the search, in a unit of length in which the sum of the
- * edges' absolute coordinates, `size`, is from 1 to 2; that unit.  Where the search is, (p,q); gap; and in the highest bit of `doubt` whether
- * they are not proved. */
+/* Vectors x of pairs; edges AB, DC, AD, BC, normals, and xS minus the middle, for the search, in a unit of length in
+ * which `size`, the sum of the edges' absolute coordinates, is from 1 to 2; that unit. (p,q): the present point of the
+ * search; gap. The highest bit of `doubt` is set if they are not proved. */
 typedef struct {
     double x[9][3][FOOTPOINT_LANES], unit[FOOTPOINT_LANES];
     double edge[4][3][FOOTPOINT_LANES], normal[4][3][FOOTPOINT_LANES], d[3][FOOTPOINT_LANES];
@@ -1657,7 +1858,7 @@ typedef struct {
     unsigned long long doubt[FOOTPOINT_LANES];
 } footpoint_detail_block;
 
-/* From x all that precedes a search. */
+/* Computes from x everything that precedes a search. */
 FOOTPOINT_APART void footpoint_detail_narrow(footpoint_detail_block *FOOTPOINT_RESTRICT b)
 {
     int l, k, i;
@@ -1735,37 +1936,45 @@ FOOTPOINT_PART void footpoint_detail_bezier_lanes_expand(const double *const *x,
     footpoint_detail_bezier_lanes_shape(x + 4, bent, t);
 }
 
-/* Kept in the patch. */
+/* Clamps p to the patch. */
 FOOTPOINT_PART double footpoint_detail_bezier_lanes_kept(double p)
 {
     const double most = p < 1.0 ? p : 1.0;
     return most > -1.0 ? most : -1.0;
 }
 
-/* A step from (*p,*q) to the foot point, kept in the patch, without a proof: Newton's, and what the same Hessian makes of the slopes that
- * it leaves if third derivatives are nothing, so that its error falls by the third power until these tell. */
+/* Adds to (*p,*q), where r is the surface, Newton's step n and what the same Hessian makes of the slopes that it leaves if third
+ * derivatives are nothing, so that the error falls by the third power until these tell.  Kept in the patch, without a proof. */
+FOOTPOINT_PART void footpoint_detail_bezier_lanes_correct(const footpoint_detail_local *r,
+                                                          const footpoint_detail_newton *n, double *p,
+                                                          double *q)
+{
+    double f = 0.0, g = 0.0;
+    int k;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 3; k++) {
+        const double u = r->u[k] + (n->s * r->uu[k] + n->t * r->uv[k]);
+        const double v = r->v[k] + (n->s * r->uv[k] + n->t * r->vv[k]);
+        const double d = r->d[k] - 0.5 * (n->s * (r->u[k] + u) + n->t * (r->v[k] + v));
+        f += u * d;
+        g += v * d;
+    }
+    *p = footpoint_detail_bezier_lanes_kept(*p + (n->s + (n->r22 * f - n->r12 * g) * n->per));
+    *q = footpoint_detail_bezier_lanes_kept(*q + (n->t + (n->r11 * g - n->r12 * f) * n->per));
+}
+
+/* Such a step from (*p,*q). */
 FOOTPOINT_PART void footpoint_detail_bezier_lanes_bare(const footpoint_detail_bezier_lanes_terms *of, double *p,
                                                        double *q)
 {
     footpoint_detail_local r;
     footpoint_detail_newton n;
-    double f = 0.0, g = 0.0;
-    int k;
     footpoint_detail_bezier_lanes_local(of, *p, *q, &r);
     footpoint_detail_newton_of(&r, &n);
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const double u = r.u[k] + (n.s * r.uu[k] + n.t * r.uv[k]);
-        const double v = r.v[k] + (n.s * r.uv[k] + n.t * r.vv[k]);
-        const double d = r.d[k] - 0.5 * (n.s * (r.u[k] + u) + n.t * (r.v[k] + v));
-        f += u * d;
-        g += v * d;
-    }
-    *p = footpoint_detail_bezier_lanes_kept(*p + (n.s + (n.r22 * f - n.r12 * g) * n.per));
-    *q = footpoint_detail_bezier_lanes_kept(*q + (n.t + (n.r11 * g - n.r12 * f) * n.per));
+    footpoint_detail_bezier_lanes_correct(&r, &n, p, q);
 }
 
-/* d, u and v after a step (s,t), to its second order. */
+/* Updates d, u and v after a step (s,t), to its second order. */
 FOOTPOINT_PART void footpoint_detail_bezier_lanes_follow(double s, double t, footpoint_detail_local *r)
 {
     int k;
@@ -1778,14 +1987,15 @@ FOOTPOINT_PART void footpoint_detail_bezier_lanes_follow(double s, double t, foo
     }
 }
 
-/* As the proof of patch_proof.h, but rounding is counted term by term, in units of 1.5 u: in single precision edges and normals are rounded
- * before the net is made of them.  An edge is rounded once either way.  A normal enters a product by two
- * roundings or more, so that its own makes half as many more.
+/* Proves a step as patch_proof.h does, but counts rounding term by term, in units of 1.5 u: in single precision edges
+ * and normals are rounded before the net is computed from them. An edge is rounded once in both cases. A normal enters
+ * a product with at least two roundings, so its own rounding adds half as much.
  *
- * With H as computed from x, off by less than k, F by less than (f,g), and eta = |H^-1 F| + off: |1 - H^-1 H(y)| <= most + w |y - x|, most =
- * |H^-1| k.  If 2 most + w eta <= 1/4, then there is a root within 1.25 eta of x, within (1.25 most + 0.79 w eta) eta + off of where the
- * step ends, and H is positive definite all the way there.  Third derivatives are off by 25000 units of far at most where
- * footpoint_detail_bezier_lanes_ball() admits them.  det >= 1e-3 r11 r22 keeps its rounding errors below what 1.3, 0.8 and 0.249 leave. */
+ * H as computed at x is off by less than k, F by less than (f,g). With eta = |H^-1 F| + off, |1 - H^-1 H(y)| <= most +
+ * w |y - x|, most = |H^-1| k. If 2 most + w eta <= 1/4, then there is a root within 1.25 eta of x, within (1.25 most +
+ * 0.79 w eta) eta + off of the step's end, and H is positive definite on the whole way there. Third derivatives are off
+ * by at most 25000 units of far if footpoint_detail_bezier_lanes_ball() admits them. det >= 1e-3 r11 r22 keeps its rounding
+ * errors below the margins of 1.3, 0.8 and 0.249. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bezier_lanes_lane(const footpoint_detail_bezier_lanes_terms *of,
                                                                      const footpoint_detail_local *r, double promise,
                                                                      double *p, double *q)
@@ -1840,7 +2050,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bezier_lanes_lane(const footp
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
 }
 
-/* 1 / sqrt(x) of ordinary x by four of Newton's steps: no call, no division. */
+/* Returns 1 / sqrt(x) of ordinary x by four Newton steps, without a call or a division. */
 FOOTPOINT_PART double footpoint_detail_bezier_lanes_root(double x)
 {
     union {
@@ -1855,7 +2065,7 @@ FOOTPOINT_PART double footpoint_detail_bezier_lanes_root(double x)
     return y.number * (1.5 - half * y.number * y.number);
 }
 
-/* The gap of r, where tangents have an angle. */
+/* Computes the gap of r, if the tangents are not parallel. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bezier_lanes_rise(const footpoint_detail_local *r, double *gap)
 {
     double n[3], nn;
@@ -1867,7 +2077,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bezier_lanes_rise(const footp
                nn - 1e-3 * (footpoint_detail_dot(r->u, r->u) * footpoint_detail_dot(r->v, r->v)));
 }
 
-/* What the patches are, by number of the value. */
+/* Holds the patches' data, indexed by number of the value. */
 enum { footpoint_detail_bezier_lanes_count = (sizeof(footpoint_detail_bezier_lanes_terms) / sizeof(double) + 2) / 3 };
 typedef struct {
     double v[footpoint_detail_bezier_lanes_count][3][FOOTPOINT_LANES];
@@ -1905,7 +2115,7 @@ FOOTPOINT_APART void footpoint_detail_bezier_lanes_shapes(const footpoint_detail
     }
 }
 
-/* The patch of a lane, with xS of another. */
+/* Copies the patch of a lane, with xS of another. */
 FOOTPOINT_PART void footpoint_detail_bezier_lanes_take(const footpoint_detail_block *b,
                                                        const footpoint_detail_bezier_lanes_lanes *t,
                                                        int l, footpoint_detail_bezier_lanes_one *one)
@@ -1959,10 +2169,10 @@ footpoint_detail_bezier_lanes_proofs(footpoint_detail_block *FOOTPOINT_RESTRICT 
     }
 }
 
-/* Where a search begins. */
+/* Computes the start of a search. */
 typedef void footpoint_detail_bezier_lanes_begin(footpoint_detail_block *b);
 
-/* Columns of pairs, or of slave nodes, from `first` on; the last of them instead of those that lack. */
+/* Loads columns of pairs, or of slave nodes, from `first` on; repeats the last to fill the block. */
 FOOTPOINT_PART void footpoint_detail_bezier_lanes_load(footpoint_detail_block *b, const double *const *column,
                                                        int begin,
                                                        size_t first, size_t n)
@@ -1980,7 +2190,7 @@ FOOTPOINT_PART void footpoint_detail_bezier_lanes_load(footpoint_detail_block *b
     }
 }
 
-/* Results of `count` lanes; the highest bit is set if any of them is not proved. */
+/* Stores results of `count` lanes; the highest bit is set if any of them is not proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bezier_lanes_store(const footpoint_detail_block *b, int count,
                                                                       double *FOOTPOINT_RESTRICT xi,
                                                                       double *FOOTPOINT_RESTRICT eta,
@@ -2000,9 +2210,63 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bezier_lanes_store(const foot
     return doubt;
 }
 
-/* The answers of pairs that are not proved, by a search of each. */
+/* Keeps last answers, which results overwrite. */
+typedef struct {
+    double loc[2][FOOTPOINT_LANES];
+} footpoint_detail_bezier_lanes_last;
+
+/* Begins with the last answers, or with the middle if an answer is no number. */
+FOOTPOINT_PART void footpoint_detail_bezier_lanes_resume(footpoint_detail_block *b,
+                                                         footpoint_detail_bezier_lanes_last *last,
+                                                         int count, const double *xi, const double *eta)
+{
+    int l;
+    for (l = 0; l < FOOTPOINT_LANES; l++) {
+        const int from = l < count ? l : count - 1;
+        const double x = (double)(last->loc[0][l] = xi[from]), y = (double)(last->loc[1][l] = eta[from]);
+        const int good =
+            !((footpoint_detail_above(x, 2.0) | footpoint_detail_above(y, 2.0)) >> 63);
+        b->p[l] = good ? footpoint_detail_bezier_lanes_kept(x) : (double)0.0;
+        b->q[l] = good ? footpoint_detail_bezier_lanes_kept(y) : (double)0.0;
+    }
+}
+
+/* Takes up to `most` steps, until the longest is so short that a proved step mostly succeeds; see step_leaves() of the
+ * generator. */
+FOOTPOINT_PART void footpoint_detail_bezier_lanes_settle(footpoint_detail_block *b,
+                                                         const footpoint_detail_bezier_lanes_lanes *t,
+                                                         int most, double promise)
+{
+    double p[FOOTPOINT_LANES], q[FOOTPOINT_LANES], left = 1.0;
+    int l;
+    for (; most > 0 && 10.0 * left * left > promise; most--) {
+        double longest = 0.0;
+        for (l = 0; l < FOOTPOINT_LANES; l++) {
+            p[l] = b->p[l];
+            q[l] = b->q[l];
+        }
+        footpoint_detail_bezier_lanes_bares(b, t);
+        for (l = 0; l < FOOTPOINT_LANES; l++)
+            longest = footpoint_detail_greater(
+                longest, footpoint_detail_greater(fabs(b->p[l] - p[l]), fabs(b->q[l] - q[l])));
+        left = longest * longest * (0.3 * longest + 0.003);
+    }
+}
+
+/* Doubts answers that are more than half of the patch away from the last answer, or whose last answer is no number. */
+FOOTPOINT_PART void footpoint_detail_bezier_lanes_astray(footpoint_detail_block *b,
+                                                         const footpoint_detail_bezier_lanes_last *last)
+{
+    int l;
+    for (l = 0; l < FOOTPOINT_LANES; l++)
+        b->doubt[l] |= footpoint_detail_above(b->p[l] - (double)last->loc[0][l], 1.0) |
+                       footpoint_detail_above(b->q[l] - (double)last->loc[1][l], 1.0);
+}
+
+/* Searches unproved pairs one by one, from the last answers unless `last` is NULL. */
 FOOTPOINT_COLD void footpoint_detail_bezier_lanes_mend(footpoint_detail_search *search,
-                                                       const footpoint_detail_block *b, int count,
+                                                       const footpoint_detail_block *b,
+                                                       const footpoint_detail_bezier_lanes_last *last, int count,
                                                        double promise, double *xi, double *eta, double *gap,
                                                        int *status)
 {
@@ -2013,13 +2277,17 @@ FOOTPOINT_COLD void footpoint_detail_bezier_lanes_mend(footpoint_detail_search *
             const double *const row[9] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8]};
             for (k = 0; k < 27; k++)
                 x[k / 3][k % 3] = b->x[k / 3][k % 3][l];
-            status[l] = footpoint_detail_bezier_answer(search, row, 4, promise, loc, &gap[l]);
+            for (k = 0; last && k < 2; k++)
+                loc[k] = last->loc[k][l];
+            status[l] = last ? footpoint_detail_bezier_further(search, row, promise, loc, &gap[l])
+                             : footpoint_detail_bezier_answer(search, row, 4, promise, loc, &gap[l]);
             xi[l] = loc[0];
             eta[l] = loc[1];
         }
 }
 
-/* n pairs, or n slave nodes over one segment unless that is NULL; column: of their coordinates. */
+/* Searches n pairs or, unless `segment` is NULL, n slave nodes over one segment; `column` holds their coordinates. It
+ * starts with `begin` or, if that is NULL, from the last answers in xi and eta, with at most `bare` steps. */
 FOOTPOINT_APART void footpoint_detail_bezier_lanes_run(footpoint_detail_bezier_lanes_begin *begin, int bare,
                                                        footpoint_detail_search *search, const double *const *segment,
                                                        size_t n, const double *const *column,
@@ -2028,6 +2296,7 @@ FOOTPOINT_APART void footpoint_detail_bezier_lanes_run(footpoint_detail_bezier_l
 {
     footpoint_detail_block b;
     footpoint_detail_bezier_lanes_lanes t;
+    footpoint_detail_bezier_lanes_last last;
     size_t i;
     int l, k;
     for (k = 0; segment && k < 24; k++)
@@ -2039,15 +2308,1486 @@ FOOTPOINT_APART void footpoint_detail_bezier_lanes_run(footpoint_detail_bezier_l
         footpoint_detail_narrow(&b);
         if (i == 0 || !segment)
             footpoint_detail_bezier_lanes_shapes(&b, &t);
-        begin(&b);
-        for (k = 0; k < bare; k++)
-            footpoint_detail_bezier_lanes_bares(&b, &t);
+        if (begin) {
+            begin(&b);
+            for (k = 0; k < bare; k++)
+                footpoint_detail_bezier_lanes_bares(&b, &t);
+        } else {
+            footpoint_detail_bezier_lanes_resume(&b, &last, count, xi + i, eta + i);
+            footpoint_detail_bezier_lanes_settle(&b, &t, bare, (double)promise);
+        }
         footpoint_detail_bezier_lanes_proofs(&b, &t, (double)promise);
+        if (!begin)
+            footpoint_detail_bezier_lanes_astray(&b, &last);
         if (footpoint_detail_bezier_lanes_store(&b, count, xi + i, eta + i, gap + i, status + i) >>
             63)
-            footpoint_detail_bezier_lanes_mend(search, &b, count, promise, xi + i, eta + i, gap + i,
-                                               status + i);
+            footpoint_detail_bezier_lanes_mend(search, &b, begin ? NULL : &last, count, promise, xi + i,
+                                               eta + i, gap + i, status + i);
     }
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_CLOSEST
+#define FOOTPOINT_DETAIL_CLOSEST
+/* Returns 1 if x > 0 and 0 if x < 0, to choose between two values without a branch, which would keep loops from
+ * being vectorised and is predicted badly. */
+FOOTPOINT_PART double footpoint_detail_step(double x)
+{
+    return 0.5 + copysign(0.5, x);
+}
+
+/* Returns a if step is 0, b if it is 1; both must be finite. */
+FOOTPOINT_PART double footpoint_detail_either(double step, double a, double b)
+{
+    return (1.0 - step) * a + step * b;
+}
+
+/* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
+ * for which `edge` is 1 (inside 0), xS is behind only by more than a small angle and by more than the rounding
+ * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products
+ * whose differences make n. */
+FOOTPOINT_PART double footpoint_detail_facing(const double n[3], const double d[3], double dd, double size,
+                                              double spread, double edge)
+{
+    const double ahead = footpoint_detail_dot(n, d), nn = footpoint_detail_dot(n, n);
+    const double beside =
+        nn * (1e-24 * dd + 1e-29 * size) + 1e-29 * (dd * spread) + 2.2250738585072014e-308;
+    return ahead * fabs(ahead) + edge * beside;
+}
+
+/* Returns the same for the normal u x v, u = r_xi and v = r_eta, or, if that vanishes, as at collapsed and at straight
+ * corners, for m, the normal at a point 0.0009765625 of the way to the middle. */
+FOOTPOINT_PART double footpoint_detail_side(const double u[3], const double v[3], const double m[3],
+                                            const double d[3], double dd, double size, double edge)
+{
+    const double spread = size * (footpoint_detail_dot(u, u) + footpoint_detail_dot(v, v));
+    double n[3], large;
+    int i;
+    footpoint_detail_cross(u, v, n);
+    large = footpoint_detail_step(footpoint_detail_dot(n, n) -
+                                  0.0009765625 * 0.0009765625 * footpoint_detail_dot(m, m));
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        n[i] = footpoint_detail_either(large, m[i], n[i]);
+    return footpoint_detail_facing(n, d, dd, size, spread, edge);
+}
+
+/* Returns 1 if two nodes have the same coordinates. */
+FOOTPOINT_PART int footpoint_detail_same(const double *a, const double *b)
+{
+    return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
+}
+
+/* Computes (xi,eta) of corner k. */
+FOOTPOINT_PART void footpoint_detail_square_corner(int k, double at[2])
+{
+    at[0] = k == 1 || k == 2 ? 1.0 : -1.0;
+    at[1] = k > 1 ? 1.0 : -1.0;
+}
+
+FOOTPOINT_PART void footpoint_detail_triangle_corner(int k, double at[2])
+{
+    at[0] = k == 1 ? 1.0 : 0.0;
+    at[1] = k == 2 ? 1.0 : 0.0;
+}
+
+/* Returns both coordinates of the middle. */
+FOOTPOINT_PART double footpoint_detail_square_middle(void)
+{
+    return 0.0;
+}
+
+FOOTPOINT_PART double footpoint_detail_triangle_middle(void)
+{
+    return 1.0 / 3.0;
+}
+
+/* Moves (xi,eta) to the middle of its edge if the ends of this edge coincide.  Triangles have no such edges. */
+FOOTPOINT_PART void footpoint_detail_square_bisect(const double *const *x, double at[2])
+{
+    if ((at[1] <= -1.0 && footpoint_detail_same(x[0], x[1])) ||
+        (at[1] >= 1.0 && footpoint_detail_same(x[2], x[3])))
+        at[0] = 0.0;
+    if ((at[0] <= -1.0 && footpoint_detail_same(x[0], x[3])) ||
+        (at[0] >= 1.0 && footpoint_detail_same(x[1], x[2])))
+        at[1] = 0.0;
+}
+
+FOOTPOINT_PART void footpoint_detail_triangle_bisect(const double *const *x, double at[2])
+{
+    (void)x;
+    (void)at;
+}
+
+/* Returns a if x > 0, otherwise b. */
+FOOTPOINT_PART double footpoint_detail_pick(double x, double a, double b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(x, 0.0) ? a : b;
+#else
+    return x > 0.0 ? a : b;
+#endif
+}
+
+/* Returns the lesser number. */
+FOOTPOINT_PART double footpoint_detail_least(double a, double b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(b, a) ? a : b;
+#else
+    return a < b ? a : b;
+#endif
+}
+
+FOOTPOINT_PART double footpoint_detail_length(const double a[3])
+{
+    return sqrt(footpoint_detail_dot(a, a));
+}
+
+#ifndef FOOTPOINT_NOT_UNIQUE
+#define FOOTPOINT_NOT_UNIQUE 2
+#endif
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN (-3)
+#endif
+
+/* Returns the status of a closest point: dd and edge are the squares of its distance and of the distance to the edges.
+ * FOOTPOINT_ERR_DEGENERATE if something in `all` is not finite, if size, the sum of the squares of edges, is not between least
+ * and 1 / least, or if there is no area, nn being the square of its vector.  FOOTPOINT_ERR_DOMAIN beyond the longest edge; if the
+ * search has a flaw and dd no meaning, beyond four times that.  FOOTPOINT_ERR_DEGENERATE for any other flaw. */
+FOOTPOINT_PART int footpoint_detail_closest_status(unsigned long long flaw, double all, double nn, double size,
+                                                   double least, double dd, double edge, double longest)
+{
+    const unsigned long long away =
+        (footpoint_detail_below(longest, edge) & footpoint_detail_below(longest, dd) & ~flaw) |
+        (footpoint_detail_below(16.0 * longest, edge) & flaw);
+    const unsigned long long nodes =
+        footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
+        footpoint_detail_bits(nn - 1e-20 * (size * size)) | footpoint_detail_infinite(all);
+    return FOOTPOINT_ERR_DEGENERATE * (int)((nodes | (flaw & ~away)) >> 63) +
+           FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> 63);
+}
+
+/* Returns the root of a squared distance, with its sign. */
+FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
+{
+    const double root = sqrt(fabs(dd));
+    return dd < 0.0 ? -root : root;
+}
+
+/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED without a proof.
+ * lanes = 1 in a loop over arrays. */
+typedef int footpoint_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
+                                    int *region);
+
+/* Writes its answer for the caller, if there is an answer. */
+FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[3], int where,
+                                                   double loc[2], double *dist, int *region)
+{
+    if (status == FOOTPOINT_OK) {
+        loc[0] = at[0];
+        loc[1] = at[1];
+        *dist = at[2];
+        *region = where;
+    }
+    return status;
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_LIMITS
+#define FOOTPOINT_DETAIL_LIMITS
+/* Results of a proof of the whole face: FAR, or another point from which to continue. */
+#define FOOTPOINT_DETAIL_FAR 0
+#define FOOTPOINT_DETAIL_NEARER 1
+#define FOOTPOINT_DETAIL_DOUBT 2
+#define FOOTPOINT_DETAIL_PARTS 400 /* most parts that are examined */
+#define FOOTPOINT_DETAIL_DEPTH 60
+
+/* Returns the quadratic -2 f.k + k.M k, M = [m11 m12; m12 m22], at k, and computes its slopes. */
+FOOTPOINT_COLD double footpoint_detail_bowl(const double f[2], const double m[3], const double k[2],
+                                            double slope[2])
+{
+    const double p = m[0] * k[0] + m[1] * k[1] - f[0], q = m[1] * k[0] + m[2] * k[1] - f[1];
+    slope[0] = 2.0 * p;
+    slope[1] = 2.0 * q;
+    return k[0] * (p - f[0]) + k[1] * (q - f[1]);
+}
+
+/* Makes M positive semidefinite; returns by how much k.M k may have grown for |k| <= (a,b). */
+FOOTPOINT_COLD double footpoint_detail_convex(double m[3], double a, double b)
+{
+    const double p = footpoint_detail_greater(-m[0], 0.0), q = footpoint_detail_greater(-m[2], 0.0);
+    double most, over;
+    m[0] += p;
+    m[2] += q;
+    most = (1.0 - 16.0 * 1.12e-16) * sqrt(m[0] * m[2]);
+    over = footpoint_detail_greater(fabs(m[1]) - most, 0.0);
+    m[1] = fabs(m[1]) > most ? copysign(most, m[1]) : m[1];
+    return p * (a * a) + q * (b * b) + 2.0 * over * (a * b);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_BENDS
+#define FOOTPOINT_DETAIL_BENDS
+/* First coefficients of r_pp, 2 along p by 4 along q, of r_pq, 3 by 3, and of r_qq, 4 by 2. */
+enum {
+    FOOTPOINT_DETAIL_PP = 0,
+    FOOTPOINT_DETAIL_PQ = 8,
+    FOOTPOINT_DETAIL_QQ = 17,
+    FOOTPOINT_DETAIL_QQ_END = 25
+};
+typedef double footpoint_detail_bends[FOOTPOINT_DETAIL_QQ_END][3];
+
+/* Middles and halves of the ranges of e . r_pp, e . r_pq and e . r_qq for a vector e. */
+typedef struct {
+    double middle[3], half[3];
+} footpoint_detail_range;
+
+/* Computes the whole net's. `line`, b, a and w: coefficients of p, b(p), a(p) and w(p) of footpoint_detail_net; slope
+ * and twice, in the second degree, of the derivatives of a and -w. */
+FOOTPOINT_PART void footpoint_detail_net_bends(const footpoint_detail_net *t,
+                                               footpoint_detail_bends c)
+{
+    const double third = 1.0 / 3.0;
+    const double line[4] = {-1.0, -third, third, 1.0}, b[4] = {-0.5, -0.5, 0.5, 0.5};
+    const double a[4] = {0.0, -4.0 * third, 4.0 * third, 0.0};
+    const double w[4] = {0.0, 4.0 * third, 4.0 * third, 0.0};
+    const double slope[3] = {-2.0, 4.0, -2.0}, twice[3] = {-2.0, 0.0, 2.0};
+    int i, j, k;
+    for (k = 0; k < 3; k++) {
+        for (i = 0; i < 2; i++) {
+            const double end = i ? 1.0 : -1.0;
+            const double x = 2.0 * t->x0[k] - 6.0 * end * t->x1[k];
+            const double y = 2.0 * t->y0[k] - 6.0 * end * t->y1[k];
+            const double X = 2.0 * t->X0[k] - 6.0 * end * t->X1[k];
+            const double Y = 2.0 * t->Y0[k] - 6.0 * end * t->Y1[k];
+            for (j = 0; j < 4; j++) {
+                c[FOOTPOINT_DETAIL_PP + 4 * i + j][k] =
+                    x + b[j] * X - 1.5 * end * (a[j] * t->Y1[k] - w[j] * t->Y0[k]);
+                c[FOOTPOINT_DETAIL_QQ + 2 * j + i][k] =
+                    y + b[j] * Y -
+                    1.5 * end * (line[j] * t->m[k] + a[j] * t->X1[k] - w[j] * t->X0[k]);
+            }
+        }
+        for (i = 0; i < 3; i++)
+            for (j = 0; j < 3; j++)
+                c[FOOTPOINT_DETAIL_PQ + 3 * i + j][k] =
+                    (j == 1 ? 1.5 * (t->m[k] + slope[i] * t->X1[k] + twice[i] * t->X0[k]) : 0.0) +
+                    (i == 1 ? 1.5 * (slope[j] * t->Y1[k] + twice[j] * t->Y0[k]) : 0.0);
+    }
+}
+
+/* Converts coefficients c[0], c[step], ... of degree n over [0,1] to those over [from,to], by de Casteljau. */
+FOOTPOINT_FN void footpoint_detail_cut(double (*c)[3], int n, int step, double from, double to)
+{
+    const double less = 1.0 - to, more = to > 0.0 ? from / to : 0.0;
+    int r, k, i;
+    for (r = 1; r <= n; r++)
+        for (k = n; k >= r; k--)
+            for (i = 0; i < 3; i++)
+                c[k * step][i] += less * (c[(k - 1) * step][i] - c[k * step][i]);
+    for (r = 1; r <= n; r++)
+        for (k = 0; k <= n - r; k++)
+            for (i = 0; i < 3; i++)
+                c[k * step][i] += more * (c[(k + 1) * step][i] - c[k * step][i]);
+}
+
+/* Converts coefficients to those over the part from low to high, both from 0 to 1. */
+FOOTPOINT_APART void footpoint_detail_bends_part(footpoint_detail_bends c, const double low[2],
+                                                 const double high[2])
+{
+    const int begin[3] = {FOOTPOINT_DETAIL_PP, FOOTPOINT_DETAIL_PQ, FOOTPOINT_DETAIL_QQ};
+    int g, k;
+    for (g = 0; g < 3; g++) {
+        const int along = 1 + g, across = 3 - g; /* degrees in p and q */
+        for (k = 0; k <= across && (low[0] > 0.0 || high[0] < 1.0); k++)
+            footpoint_detail_cut(c + begin[g] + k, along, across + 1, low[0], high[0]);
+        for (k = 0; k <= along && (low[1] > 0.0 || high[1] < 1.0); k++)
+            footpoint_detail_cut(c + begin[g] + k * (across + 1), across, 1, low[1], high[1]);
+    }
+}
+
+/* Computes the means of the coefficients of r_pp, r_pq and r_qq. */
+FOOTPOINT_PART void footpoint_detail_bends_mean(footpoint_detail_bends c, double mean[3][3])
+{
+    int k, i;
+    for (i = 0; i < 3; i++) {
+        double sum[3] = {0.0, 0.0, 0.0};
+        for (k = 0; k < FOOTPOINT_DETAIL_PQ; k++)
+            sum[0] += c[k][i];
+        for (k = FOOTPOINT_DETAIL_PQ; k < FOOTPOINT_DETAIL_QQ; k++)
+            sum[1] += c[k][i];
+        for (k = FOOTPOINT_DETAIL_QQ; k < FOOTPOINT_DETAIL_QQ_END; k++)
+            sum[2] += c[k][i];
+        mean[0][i] = 0.125 * sum[0];
+        mean[1][i] = sum[1] / 9.0;
+        mean[2][i] = 0.125 * sum[2];
+    }
+}
+
+FOOTPOINT_PART void footpoint_detail_bends_range(footpoint_detail_bends c, const double e[3],
+                                                 footpoint_detail_range *r)
+{
+    const int begin[4] = {FOOTPOINT_DETAIL_PP, FOOTPOINT_DETAIL_PQ, FOOTPOINT_DETAIL_QQ,
+                          FOOTPOINT_DETAIL_QQ_END};
+    int g, k;
+    for (g = 0; g < 3; g++) {
+        double low = footpoint_detail_dot(e, c[begin[g]]), high = low;
+        for (k = begin[g] + 1; k < begin[g + 1]; k++) {
+            const double value = footpoint_detail_dot(e, c[k]);
+            low = footpoint_detail_least(low, value);
+            high = footpoint_detail_greater(high, value);
+        }
+        r->middle[g] = 0.5 * (low + high);
+        r->half[g] = 0.5 * (high - low);
+    }
+}
+#endif
+
+#ifndef FOOTPOINT_BEZIER_NEAREST
+#define FOOTPOINT_BEZIER_NEAREST
+/* Computes the normal m, of any length, at the point 0.0009765625 of the way from (xi,eta) to the middle; from an edge whose ends
+ * coincide, on the bisector there. */
+FOOTPOINT_PART void footpoint_detail_bezier_inward(const double *const *x, double xi, double eta, double m[3])
+{
+    const double middle = footpoint_detail_square_middle();
+    double at[2], u[3], v[3], d[3];
+    at[0] = xi;
+    at[1] = eta;
+    footpoint_detail_square_bisect(x, at);
+    at[0] += 0.0009765625 * (middle - at[0]);
+    at[1] += 0.0009765625 * (middle - at[1]);
+    footpoint_detail_bezier_surface(x, at[0], at[1], u, v, d);
+    footpoint_detail_cross(u, v, m);
+}
+
+/* Returns the next corner, after k in the order `step`, 1 or 4 - 1, that is a different point from k; or k. */
+FOOTPOINT_COLD int footpoint_detail_bezier_next(const double *const *x, int k, int step)
+{
+    int next = (k + step) % 4;
+    while (next != k && footpoint_detail_same(x[next], x[k]))
+        next = (next + step) % 4;
+    return next;
+}
+
+/* Computes the direction e in which the edge to that corner leaves corner k. */
+FOOTPOINT_COLD void footpoint_detail_bezier_leave(const double *const *x, int k, int step, double e[3])
+{
+    const int to = footpoint_detail_bezier_next(x, k, step), from = (to + 4 - step) % 4;
+    footpoint_detail_from(x[from], x[to], e);
+    if (4 > 4) { /* e is half of the slope unless that vanishes: middles at a quarter */
+        const double *const middle = x[4 + (step == 1 ? from : to)];
+        double slope[3];
+        int i;
+        for (i = 0; i < 3; i++)
+            slope[i] = 4.0 * (middle[i] - x[from][i]) - e[i];
+        if (footpoint_detail_dot(slope, slope) > 1e-20 * footpoint_detail_dot(e, e))
+            for (i = 0; i < 3; i++)
+                e[i] = slope[i];
+    }
+    if (9 > 4 + 1) { /* edges of patches begin at right angles to the normal */
+        const double *const n = x[4 + from];
+        const double along = footpoint_detail_dot(e, n);
+        int i;
+        for (i = 0; i < 3; i++)
+            e[i] -= along * n[i];
+    }
+}
+
+/* Adds `angle` times the unit normal at (xi,eta) to fan. */
+FOOTPOINT_COLD void footpoint_detail_bezier_add_normal(const double *const *x, const double at[2],
+                                                       double angle, double fan[3])
+{
+    double u[3], v[3], d[3], n[3], m[3], nn, mm, over;
+    int i, large;
+    footpoint_detail_bezier_surface(x, at[0], at[1], u, v, d);
+    footpoint_detail_bezier_inward(x, at[0], at[1], m);
+    footpoint_detail_cross(u, v, n);
+    nn = footpoint_detail_dot(n, n);
+    mm = footpoint_detail_dot(m, m);
+    large = nn > 0.0009765625 * 0.0009765625 * mm;
+    over = angle / sqrt((large ? nn : mm) + 2.2250738585072014e-308);
+    for (i = 0; i < 3; i++)
+        fan[i] += over * (large ? n[i] : m[i]);
+}
+
+/* Adds the normal of a face at its corner k, or at t, from -1 to 1, of its edge k. */
+FOOTPOINT_COLD void footpoint_detail_bezier_add_corner(const double *const *x, int k, double fan[3])
+{
+    double a[3], b[3], c[3], at[2], angle;
+    footpoint_detail_bezier_leave(x, k, 1, a);
+    footpoint_detail_bezier_leave(x, k, 4 - 1, b);
+    footpoint_detail_cross(a, b, c);
+    angle = atan2(sqrt(footpoint_detail_dot(c, c)), footpoint_detail_dot(a, b));
+    footpoint_detail_square_corner(k, at);
+    footpoint_detail_bezier_add_normal(x, at, angle, fan);
+}
+
+FOOTPOINT_COLD void footpoint_detail_bezier_add_edge(const double *const *x, int k, double t, double fan[3])
+{
+    double from[2], to[2], at[2];
+    int i;
+    footpoint_detail_square_corner(k, from);
+    footpoint_detail_square_corner((k + 1) % 4, to);
+    for (i = 0; i < 2; i++)
+        at[i] = 0.5 * ((1.0 - t) * from[i] + (1.0 + t) * to[i]);
+    footpoint_detail_bezier_add_normal(x, at, 3.1415926535897931, fan);
+}
+
+/* Finds the corners a and b between which the closest point at loc, in `region` > 0 of a face, lies; they are equal at a corner or on
+ * an edge of no length.  Returns its place on the edge, from -1 to 1. */
+FOOTPOINT_COLD double footpoint_detail_bezier_feature(const double *const *x, const double loc[2],
+                                                      int region, const double *end[2])
+{
+    const int k = (region - 1) % 4, next = (k + 1) % 4;
+    double from[2], to[2], along, across;
+    footpoint_detail_square_corner(k, from);
+    footpoint_detail_square_corner(next, to);
+    along = (loc[0] - from[0]) * (to[0] - from[0]) + (loc[1] - from[1]) * (to[1] - from[1]);
+    across = (to[0] - from[0]) * (to[0] - from[0]) + (to[1] - from[1]) * (to[1] - from[1]);
+    end[0] = x[k];
+    end[1] = region > 4 || footpoint_detail_same(x[k], x[next]) ? x[k] : x[next];
+    return 2.0 * along / across - 1.0;
+}
+
+/* Adds the normal of a face, if it has that edge or corner. */
+FOOTPOINT_COLD void footpoint_detail_bezier_add_face(const double *const *x, const double *const end[2],
+                                                     double t, double fan[3])
+{
+    double y[10][3];
+    const double *z[10];
+    int exponent, k, i, found = 0;
+    for (i = 0; i < 9; i++)
+        z[i] = y[i];
+    for (k = 0; k < 4; k++) {
+        const double *const here = x[k], *const next = x[(k + 1) % 4];
+        const int single = end[0] == end[1], first = footpoint_detail_same(here, end[0]);
+        const int there = first & footpoint_detail_same(next, end[1]);
+        const int back = footpoint_detail_same(here, end[1]) & footpoint_detail_same(next, end[0]);
+        if (!(single ? first & !there : there | back)) /* of corners that coincide, the last */
+            continue;
+        if (!found && footpoint_detail_scale(x, 4, 9, y, &exponent) != FOOTPOINT_OK)
+            return;
+        found = 1;
+        if (single)
+            footpoint_detail_bezier_add_corner(z, k, fan);
+        else
+            footpoint_detail_bezier_add_edge(z, k, there ? t : -t, fan);
+    }
+}
+
+/* Returns 1 if the slave node, the last of x, lies behind the point at loc: behind the surface that has the normal `fan` there, or,
+ * if that is NULL, behind the face; `edge` is 1 if the point is on an edge of it. */
+FOOTPOINT_COLD int footpoint_detail_bezier_behind(const double *const *x, const double loc[2], int edge,
+                                                  const double *fan)
+{
+    double y[10][3], u[3], v[3], d[3], m[3], dd;
+    const double *z[10];
+    int exponent, i;
+    if (footpoint_detail_scale(x, 4, 9, y, &exponent) != FOOTPOINT_OK)
+        return 0;
+    for (i = 0; i < 9; i++)
+        z[i] = y[i];
+    footpoint_detail_bezier_surface(z, loc[0], loc[1], u, v, d);
+    footpoint_detail_bezier_inward(z, loc[0], loc[1], m);
+    dd = footpoint_detail_dot(d, d);
+    return (fan ? footpoint_detail_facing(fan, d, dd, 1.0, 1.0, 1.0)
+                : footpoint_detail_side(u, v, m, d, dd, 1.0, edge ? 1.0 : 0.0)) < 0.0;
+}
+
+/* Collects the vectors of face i and its slave node. */
+FOOTPOINT_PART void footpoint_detail_bezier_row(const double *const *x, const double *xS, size_t i,
+                                                const double *row[9])
+{
+    int k;
+    for (k = 0; k < 8; k++)
+        row[k] = x[8 * i + (size_t)k];
+    row[8] = xS;
+}
+
+/* Returns 1 if xS lies behind the surface that n faces make at loc, in `region` > 0 of face `which`. */
+FOOTPOINT_COLD int footpoint_detail_bezier_behind_all(size_t n, const double *const *x, const double *xS,
+                                                      size_t which, const double loc[2], int region)
+{
+    const double *row[9], *end[2];
+    double fan[3] = {0.0, 0.0, 0.0}, t;
+    size_t i;
+    footpoint_detail_bezier_row(x, xS, which, row);
+    t = footpoint_detail_bezier_feature(row, loc, region, end);
+    for (i = 0; i < n; i++) {
+        footpoint_detail_bezier_row(x, xS, i, row);
+        footpoint_detail_bezier_add_face(row, end, t, fan);
+    }
+    footpoint_detail_bezier_row(x, xS, which, row);
+    return footpoint_detail_bezier_behind(row, loc, 1, fan);
+}
+
+FOOTPOINT_PART void footpoint_detail_bezier_bends(const footpoint_detail_bezier_terms *t,
+                                                  footpoint_detail_bends c)
+{
+    footpoint_detail_net_bends(&t->net, c);
+}
+
+/* Widens ranges by the second derivatives that nets lack: none. */
+FOOTPOINT_PART void footpoint_detail_bezier_widen(const footpoint_detail_bezier_terms *t,
+                                                  const double e[3], const double low[2],
+                                                  const double high[2], footpoint_detail_range *r)
+{
+    (void)t, (void)e, (void)low, (void)high, (void)r;
+}
+
+/* Returns how far inner points move the patch at most. */
+FOOTPOINT_PART double footpoint_detail_bezier_moved(const footpoint_detail_bezier_terms *t)
+{
+    (void)t;
+    return 0.0;
+}
+
+/* A point (xi,eta) = at of the closed patch, and coordinates (s,t) from there. held: for s and for t, -1 if the patch
+ * lies at >= 0, 1 if at <= 0, otherwise 0. f, g: slopes r_xi . d and r_eta . d, d = xS - r, off by off_f and off_g; dd =
+ * d . d; a, b, c: r_xi xi . d, r_xi eta . d, r_eta eta . d. far: a fifth of it bounds d plus net.far. By rounding,
+ * entries of the matrix M are off by `off`, the distance by off_d, dd and its changes by off_dd. Within h of the point,
+ * slopes change by at most stiff h and, for h of 1e-11 in footpoint_detail_bezier_ball, differ from their linear part
+ * by bent h^2. */
+typedef struct {
+    footpoint_detail_local r;
+    const footpoint_detail_bezier_terms *of; /* not owned */
+    double at[2], f, g, dd, a, b, c, off_f, off_g, far, off, off_d, off_dd, bent, stiff;
+    double held[2];
+    int turn; /* 0: only triangles have others */
+} footpoint_detail_bezier_anchor;
+
+/* Returns the region: 0 inside; 1 to 4: edges; then corners. */
+FOOTPOINT_PART int footpoint_detail_bezier_region(const double at[2])
+{
+    const int left = at[0] <= -1.0, right = at[0] >= 1.0;
+    const int below = at[1] <= -1.0, above = at[1] >= 1.0;
+    return below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
+}
+
+/* Computes (s,t) from the anchor to (xi,eta) = to. */
+FOOTPOINT_PART void footpoint_detail_bezier_way(const footpoint_detail_bezier_anchor *z,
+                                                const double to[2], double h[2])
+{
+    h[0] = to[0] - z->at[0];
+    h[1] = to[1] - z->at[1];
+}
+
+/* Sets bounds, F = |d| + net.far; nothing is proved if normals are not of length 1.
+ *
+ * Rounding, u = 1.12e-16, see footpoint_detail_net: entries of M are off by 1e5 u F^2, see
+ * footpoint_detail_bezier_form_over. Coordinates of d are off by 29 u net.far + 9 u |d|, the vector by 51 u F, its root of
+ * dd by less than 60 u F; dd by 2 |d| times that, 41 u F^2 at most, and where another point is as near, F is less than
+ * twice as large, which adds 3 times that. What a quadratic adds by slopes, 60 u F^2, and sums make 250 u F^2; its
+ * products with M, of entries up to 280 F^2, stay within what 1e5 u F^2 leave.
+ *
+ * Changes: |r_i| <= 2.5 net.far, |r_ij| <= 3.5 net.far; so rows of the Hessian add up to at most 2 (6.25 net.far^2 + 3.5
+ * |d| net.far) <= 12.5 F^2. Products r_ij . r_k, three times four of them, add up to 105 net.far^2; those of d with third
+ * derivatives to 25 |d| net.far of the net and, in the ball, 555 |d| net.far of the twists, which are at most 1.52
+ * net.far, times 66 + 2.92 (100 + 2.5): see footpoint_detail_gregory_inner. 105 x^2 + 580 x (1 - x) <= 178; half of that
+ * is less than 100. */
+FOOTPOINT_PART void footpoint_detail_bezier_bound(footpoint_detail_bezier_anchor *z)
+{
+    const footpoint_detail_net *const net = &z->of->net;
+    const double u = footpoint_detail_sum(z->r.u), v = footpoint_detail_sum(z->r.v);
+    const double d = footpoint_detail_sum(z->r.d), far = net->tilt <= 1.01 ? d + net->far : 2e29;
+    const double square = far * far;
+    double off[2];
+    footpoint_detail_bezier_off(net, u, v, d, 0.0, off);
+    z->off_f = off[0];
+    z->off_g = off[1];
+    z->far = 5.0 * far;
+    z->off = 1e5 * 1.12e-16 * square;
+    z->off_d = 60.0 * 1.12e-16 * far;
+    z->off_dd = 300.0 * 1.12e-16 * square;
+    z->bent = 100.0 * square;
+    z->stiff = 20.0 * square;
+}
+
+FOOTPOINT_APART void footpoint_detail_bezier_anchor_at(const footpoint_detail_bezier_terms *of,
+                                                       const double at[2], int region,
+                                                       footpoint_detail_bezier_anchor *z)
+{
+    int i;
+    (void)region;
+    z->of = of;
+    z->turn = 0;
+    for (i = 0; i < 2; i++) {
+        z->at[i] = at[i];
+        z->held[i] = (double)((at[i] >= 1.0) - (at[i] <= -1.0));
+    }
+    footpoint_detail_bezier_local(of, at[0], at[1], &z->r);
+    footpoint_detail_bezier_bound(z);
+    z->f = footpoint_detail_dot(z->r.u, z->r.d);
+    z->g = footpoint_detail_dot(z->r.v, z->r.d);
+    z->dd = footpoint_detail_dot(z->r.d, z->r.d);
+    z->a = footpoint_detail_dot(z->r.uu, z->r.d);
+    z->b = footpoint_detail_dot(z->r.uv, z->r.d);
+    z->c = footpoint_detail_dot(z->r.vv, z->r.d);
+}
+
+/* A matrix M(s,t) over a part of the face: the least determinant at its corners, minus rounding, and least and greatest
+ * entries. */
+typedef struct {
+    double m11[4], m12[4], m22[4], det, low, wide, high;
+} footpoint_detail_bezier_form;
+
+/* Computes how fast half the squared distance grows from an edge into the face, `grows`, or may fall, `falls`; a slope
+ * f is off by `off`. */
+FOOTPOINT_PART void footpoint_detail_bezier_grows(double held, double f, double off, double *grows,
+                                                  double *falls)
+{
+    const double outward = fabs(held) > 0.0 ? held * f : -fabs(f);
+    *grows = footpoint_detail_greater(outward - off, 0.0);
+    *falls = footpoint_detail_greater(off - outward, 0.0);
+}
+
+/* Computes the part that contains the anchor z and the corners h, (s,t) from z: from low to high, 0 to 1 across the
+ * patch. */
+FOOTPOINT_PART void footpoint_detail_bezier_hull(const footpoint_detail_bezier_anchor *z,
+                                                 double h[4][2], double low[2], double high[2])
+{
+    int i, k;
+    for (i = 0; i < 2; i++) {
+        double least = 0.0, most = 0.0;
+        for (k = 0; k < 4; k++) {
+            least = footpoint_detail_least(least, h[k][i]);
+            most = footpoint_detail_greater(most, h[k][i]);
+        }
+        low[i] = footpoint_detail_greater(0.5 + 0.5 * (z->at[i] + least), 0.0);
+        high[i] = footpoint_detail_least(0.5 + 0.5 * (z->at[i] + most), 1.0);
+    }
+}
+
+/* Computes the ranges of products of second derivatives there with e. */
+FOOTPOINT_PART void footpoint_detail_bezier_ranges(const footpoint_detail_bezier_terms *of,
+                                                   footpoint_detail_bends c, const double e[3],
+                                                   const double low[2], const double high[2],
+                                                   footpoint_detail_range *r)
+{
+    footpoint_detail_bends_range(c, e, r);
+    footpoint_detail_bezier_widen(of, e, low, high, r);
+}
+
+/* Computes the matrix M of an anchor z over a part with the corners h, (s,t) from z; grow: slopes from edges into the
+ * patch, as far as M includes them.
+ *
+ * Let phi be half the square of the distance, and (s,t) lead from z to a point of the part; with means R of second
+ * derivatives on that way, w = s u + t v + (s^2 R11 + 2 s t R12 + t^2 R22) / 2 is r(s,t) - r(z). For any e, |w|^2 >= 2
+ * e.w - |e|^2, here for e = s a + t b, with the vectors a and b of w = s a + t b in the middle of the part. So
+ *   2 phi(s,t) - 2 phi(z) = -2 d.w + |w|^2 >= -2 s f - 2 t g + m11 s^2 + 2 m12 s t + m22 t^2,
+ * m11 = 2 a.u - a.a - d.R11 + s a.R11 + t a.R12, m12 = a.v + b.u - a.b - d.R12 + (s (a.R12 + b.R11) + t (b.R12 +
+ * a.R22)) / 2, m22 = 2 b.v - b.b - d.R22 + s b.R12 + t b.R22. Products with R lie in the ranges of products with the
+ * coefficients over the part extended to z: their middles make M, linear in s and t, so that it is a mean of its values
+ * at corners; halves are taken from m11 and m22, those of m12 by 2 |s t| <= k s^2 + t^2 / k. At an edge s has one sign,
+ * s f = -|s| grow, and |s| >= s^2 / most |s|.
+ *
+ * Rounding, F = far / 5: u and v are off by 35 u F and <= 2.5 F, second derivatives by 400 u F and <= 3.5 F, a and b by
+ * 900 u F and <= 9.5 F; |s|, |t| <= 2. Entries are off by less than 8e4 u F^2; `off` is 1e5 u F^2. */
+FOOTPOINT_APART void footpoint_detail_bezier_form_over(const footpoint_detail_bezier_anchor *z,
+                                                       double h[4][2], const double grow[2],
+                                                       footpoint_detail_bezier_form *m)
+{
+    const footpoint_detail_local *const r = &z->r;
+    const double s = 0.5 * (h[0][0] + h[2][0]), t = 0.5 * (h[0][1] + h[2][1]);
+    double low[2], high[2], mean[3][3], a[3], b[3], most_s = 0.0, most_t = 0.0;
+    double aa, bb, m11, m12, m22, mixed, ratio;
+    footpoint_detail_bends c;
+    footpoint_detail_range d, e, f; /* of products with d, a and b */
+    int i;
+    footpoint_detail_bezier_hull(z, h, low, high);
+    footpoint_detail_bezier_bends(z->of, c);
+    footpoint_detail_bends_part(c, low, high);
+    footpoint_detail_bends_mean(c, mean);
+    for (i = 0; i < 3; i++) {
+        a[i] = r->u[i] + 0.5 * (s * mean[0][i] + t * mean[1][i]);
+        b[i] = r->v[i] + 0.5 * (s * mean[1][i] + t * mean[2][i]);
+    }
+    footpoint_detail_bezier_ranges(z->of, c, r->d, low, high, &d);
+    footpoint_detail_bezier_ranges(z->of, c, a, low, high, &e);
+    footpoint_detail_bezier_ranges(z->of, c, b, low, high, &f);
+    for (i = 0; i < 4; i++) {
+        most_s = footpoint_detail_greater(most_s, fabs(h[i][0]));
+        most_t = footpoint_detail_greater(most_t, fabs(h[i][1]));
+    }
+    aa = footpoint_detail_dot(a, a);
+    bb = footpoint_detail_dot(b, b);
+    mixed = d.half[1] + 0.5 * (most_s * (e.half[1] + f.half[0]) + most_t * (f.half[1] + e.half[2]));
+    ratio = sqrt((aa + 2.2250738585072014e-308) / (bb + 2.2250738585072014e-308));
+    m11 = 2.0 * footpoint_detail_dot(a, r->u) - aa - d.middle[0] +
+          2.0 * grow[0] / (most_s + 2.2250738585072014e-308) -
+          (d.half[0] + most_s * e.half[0] + most_t * e.half[1] + mixed * ratio);
+    m22 = 2.0 * footpoint_detail_dot(b, r->v) - bb - d.middle[2] +
+          2.0 * grow[1] / (most_t + 2.2250738585072014e-308) -
+          (d.half[2] + most_s * f.half[1] + most_t * f.half[2] + mixed / ratio);
+    m12 = footpoint_detail_dot(a, r->v) + footpoint_detail_dot(b, r->u) -
+          footpoint_detail_dot(a, b) - d.middle[1];
+    for (i = 0; i < 4; i++) {
+        const double p = h[i][0], q = h[i][1];
+        double det;
+        m->m11[i] = m11 + p * e.middle[0] + q * e.middle[1];
+        m->m12[i] = m12 + 0.5 * (p * (e.middle[1] + f.middle[0]) + q * (f.middle[1] + e.middle[2]));
+        m->m22[i] = m22 + p * f.middle[1] + q * f.middle[2];
+        det = m->m11[i] * m->m22[i] - m->m12[i] * m->m12[i];
+        m->det = i ? footpoint_detail_least(m->det, det) : det;
+        m->low = i ? footpoint_detail_least(m->low, m->m11[i]) : m->m11[i];
+        m->wide = i ? footpoint_detail_greater(m->wide, m->m11[i]) : m->m11[i];
+        m->high = i ? footpoint_detail_greater(m->high, m->m22[i]) : m->m22[i];
+    }
+    m->low -= z->off;
+    m->wide += z->off;
+    m->high += z->off;
+    m->det -= 4.0 * z->off * (m->wide + m->high) + 2.2250738585072014e-308;
+}
+
+/* Computes how far from z, in s and in t, a point may be: promise, half of it for turned coordinates; and within the
+ * region, or 4e-10. */
+FOOTPOINT_PART void footpoint_detail_bezier_reach_of(const footpoint_detail_bezier_anchor *z,
+                                                     double promise, double reach[2])
+{
+    const double least = 4e-10, p = 4 == 3 ? 0.5 * promise : promise;
+    double room = 1.0 - fabs(z->at[0]), other = 1.0 - fabs(z->at[1]);
+    if (4 == 3) { /* two of the three coordinates on an edge */
+        const double l[3] = {1.0 - z->at[0] - z->at[1], z->at[0], z->at[1]};
+        const double ends = footpoint_detail_least(l[z->turn], l[(z->turn + 1) % 3]);
+        room = fabs(z->held[1]) > 0.0 ? 1.0 : l[(z->turn + 2) % 3];
+        room = other = 0.5 * footpoint_detail_least(ends, room);
+    }
+    reach[0] = fabs(z->held[0]) > 0.0
+                   ? least
+                   : footpoint_detail_least(p, footpoint_detail_greater(room, least));
+    reach[1] = fabs(z->held[1]) > 0.0
+                   ? least
+                   : footpoint_detail_least(p, footpoint_detail_greater(other, least));
+}
+
+/* The highest bit of the result is not set if no point of the part is as near as z but within `promise` of it, and in its region
+ * unless it is within 1e-9 of that region's border.
+ *
+ * If det M >= Q > 0 all over the part, with high >= m22 and wide >= m11, then M exceeds the diagonal matrix of Q / (2 high) and Q / (2
+ * wide). So with X = Q / (4 high), Y = Q / (4 wide), f and g what half the square of the distance may fall by, less half of what
+ * it grows by, phi(s,t) - phi(z) >= (X s^2 - |s| f) + (Y t^2 - |t| g), which is > 0 for all |s| > p if p (X p - f) > g^2 / (4 Y), and
+ * likewise for |t|. 0.999 leaves for what follows more than it can lose, but
+ * for what underflows, less than 1e-300. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bezier_sole(const footpoint_detail_bezier_anchor *z,
+                                                               double h[4][2], double promise)
+{
+    footpoint_detail_bezier_form m;
+    double grow[2], f, g, reach[2], room, other, s, t;
+    footpoint_detail_bezier_grows(z->held[0], z->f, z->off_f, &grow[0], &f);
+    footpoint_detail_bezier_grows(z->held[1], z->g, z->off_g, &grow[1], &g);
+    grow[0] *= 0.5;
+    grow[1] *= 0.5;
+    footpoint_detail_bezier_form_over(z, h, grow, &m);
+    footpoint_detail_bezier_reach_of(z, promise, reach);
+    room = reach[0] * m.det;
+    other = reach[1] * m.det;
+    s = room * (0.999 * room - 4.0 * m.high * (f - grow[0])) - 4.0 * (m.wide * m.high) * (g * g);
+    t = other * (0.999 * other - 4.0 * m.wide * (g - grow[1])) - 4.0 * (m.wide * m.high) * (f * f);
+    return footpoint_detail_bits(m.det) | footpoint_detail_bits(m.low) |
+           footpoint_detail_bits(s - 1e-300) | footpoint_detail_bits(t - 1e-300) |
+           footpoint_detail_infinite(s + t) | footpoint_detail_fast();
+}
+
+/* Returns roughly the sum of the squares of its edges. */
+FOOTPOINT_PART double footpoint_detail_bezier_extent(const footpoint_detail_bezier_terms *of)
+{
+    return 0.25 * of->net.base * of->net.base;
+}
+
+/* Returns a lower bound on the distance of the patch, for any slave node: by a ball about the mean of the corners. The
+ * patch is a mean of corners, plus at most 3/2 of handles, a third of an edge, and the shift by inner points. */
+FOOTPOINT_COLD double footpoint_detail_bezier_none_within(const double *const *x)
+{
+    footpoint_detail_bezier_terms of;
+    double e[3], most = 0.0, longest = 0.0, middle;
+    int k, i;
+    footpoint_detail_bezier_expand(x, &of);
+    middle = footpoint_detail_length(of.net.d);
+    if (footpoint_detail_infinite(middle) >> 63 || !(of.net.tilt <= 1.01))
+        return of.net.tilt <= 1.01 ? middle : 0.0;
+    for (k = 0; k < 4; k++) {
+        for (i = 0; i < 3; i++)
+            e[i] = (x[k][i] - x[9 - 1][i]) + of.net.d[i];
+        most = footpoint_detail_greater(most, footpoint_detail_dot(e, e));
+        footpoint_detail_from(x[k], x[(k + 1) % 4], e);
+        longest = footpoint_detail_greater(longest, footpoint_detail_dot(e, e));
+    }
+    most = sqrt(most) + 0.51 * sqrt(longest) + footpoint_detail_bezier_moved(&of);
+    return footpoint_detail_greater(middle - most - 1e-12 * (middle + of.net.far), 0.0);
+}
+
+/* Returns the square of the longest edge's chord. */
+FOOTPOINT_PART double footpoint_detail_bezier_longest(const double *const *x)
+{
+    double most = 0.0, e[3];
+    int k;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 4; k++) {
+        footpoint_detail_from(x[k], x[(k + 1) % 4], e);
+        most = footpoint_detail_greater(most, footpoint_detail_dot(e, e));
+    }
+    return most;
+}
+
+/* Returns the squared distance at z, with its sign. If tangents are not nearly parallel, the normal is u x v. */
+FOOTPOINT_PART double footpoint_detail_bezier_signed(const double *const *x,
+                                                     const footpoint_detail_bezier_anchor *z, double size,
+                                                     int region, unsigned long long *flat)
+{
+    const footpoint_detail_local *const r = &z->r;
+    const double bend = footpoint_detail_sum(r->uv);
+    const double first = footpoint_detail_sum(r->u) + footpoint_detail_sum(r->uu) + bend;
+    const double second = footpoint_detail_sum(r->v) + footpoint_detail_sum(r->vv) + bend;
+    const double edge = region ? 1.0 : 0.0, all = first * second;
+    double n[3], m[3], u[3], v[3], nn, mm;
+    int i;
+    footpoint_detail_cross(r->u, r->v, n);
+    nn = footpoint_detail_dot(n, n);
+    if (!(footpoint_detail_bits(nn - 1e-4 * (all * all)) >> 63)) {
+        *flat = footpoint_detail_bits(nn - 1e-20 * (size * size));
+        return copysign(z->dd, footpoint_detail_facing(n, r->d, z->dd, size,
+                                                       size * (footpoint_detail_dot(r->u, r->u) +
+                                                               footpoint_detail_dot(r->v, r->v)),
+                                                       edge));
+    }
+    footpoint_detail_bezier_inward(x, z->at[0], z->at[1], m);
+    mm = footpoint_detail_dot(m, m);
+    *flat = footpoint_detail_bits(mm - 1e-20 * (size * size));
+    footpoint_detail_bezier_surface(x, z->at[0], z->at[1], u, v, n);
+    for (i = 0; i < 3; i++)
+        n[i] = r->d[i];
+    return copysign(z->dd, footpoint_detail_side(u, v, m, n, z->dd, size, edge));
+}
+
+/* Computes the corners of the face, (xi,eta). */
+FOOTPOINT_PART void footpoint_detail_bezier_whole(double part[4][2])
+{
+    int k;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 4; k++)
+        footpoint_detail_square_corner(k, part[k]);
+}
+
+/* Applies footpoint_detail_bezier_sole to a part with the given corners (xi,eta). */
+FOOTPOINT_PART unsigned long long footpoint_detail_bezier_sole_of(const footpoint_detail_bezier_anchor *z,
+                                                                  double part[4][2], double promise)
+{
+    double h[4][2];
+    int k;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 4; k++)
+        footpoint_detail_bezier_way(z, part[k], h[k]);
+    return footpoint_detail_bezier_sole(z, h, promise);
+}
+
+/* Returns 1 if (xi,eta) is inside. */
+FOOTPOINT_PART int footpoint_detail_bezier_is_inside(const double at[2])
+{
+    const double third = 1.0 - at[0] - at[1], low = footpoint_detail_least(at[0], at[1]);
+    const double room = 4 == 3 ? footpoint_detail_least(low, third)
+                                   : 1.0 - footpoint_detail_greater(fabs(at[0]), fabs(at[1]));
+    return !(footpoint_detail_bits(room - 1e-15) >> 63);
+}
+
+/* The highest bit of the result is not set if the closest point, known to be within `close` of z, in s and in t, is within promise:
+ * inside, both slopes vanish there, and have changed by the Hessian at z and at most half the third derivatives times close^2. On an
+ * edge where the slope outwards keeps its sign, the slope along it vanishes. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bezier_within(const footpoint_detail_bezier_anchor *z,
+                                                                 double close, double promise)
+{
+    const double bend = z->bent * (close * close), off = z->off,
+               p = 4 == 3 ? 0.5 * promise : promise;
+    const double f = fabs(z->f) + z->off_f + bend, g = fabs(z->g) + z->off_g + bend;
+    const double h11 = footpoint_detail_dot(z->r.u, z->r.u) - z->a;
+    const double h12 = footpoint_detail_dot(z->r.u, z->r.v) - z->b;
+    const double h22 = footpoint_detail_dot(z->r.v, z->r.v) - z->c;
+    const double det = h11 * h22 - h12 * h12 - 4.0 * off * (fabs(h11) + fabs(h22));
+    const double turn = fabs(h12) + off, kept = z->stiff * close;
+    const double both = p * det - 1.05 * footpoint_detail_greater((h22 + off) * f + turn * g,
+                                                                  (h11 + off) * g + turn * f);
+    const double of_s =
+        fabs(z->held[0]) > 0.0 ? z->held[0] * z->f - z->off_f - kept : p * (h11 - off) - 1.05 * f;
+    const double of_t =
+        fabs(z->held[1]) > 0.0 ? z->held[1] * z->g - z->off_g - kept : p * (h22 - off) - 1.05 * g;
+    const double room =
+        footpoint_detail_least(footpoint_detail_least(of_s, of_t),
+                               fabs(z->held[0]) + fabs(z->held[1]) > 0.0 ? of_s : both);
+    double reach[2];
+    footpoint_detail_bezier_reach_of(z, 1.0, reach);
+    return footpoint_detail_bits(room) | footpoint_detail_bits(footpoint_detail_least(h11, h22)) |
+           footpoint_detail_bits((fabs(z->held[0]) > 0.0 ? 1.0 : reach[0]) - 2.0 * close) |
+           footpoint_detail_bits((fabs(z->held[1]) > 0.0 ? 1.0 : reach[1]) - 2.0 * close) |
+           footpoint_detail_infinite(room);
+}
+
+/* Returns 1 if the closest point lies in the region of z, provided that it is within 1e-11 of z, or 4e-10 in
+ * coordinates that an edge holds: their slopes keep their signs. */
+FOOTPOINT_PART int footpoint_detail_bezier_is_clear(const footpoint_detail_bezier_anchor *z)
+{
+    const double kept = 4.1e-10 * z->stiff, near = 2.1 * 1e-11;
+    const double s =
+        fabs(z->held[0]) > 0.0 ? z->held[0] * z->f - z->off_f - kept : 1.0 - fabs(z->at[0]) - near;
+    const double t =
+        fabs(z->held[1]) > 0.0 ? z->held[1] * z->g - z->off_g - kept : 1.0 - fabs(z->at[1]) - near;
+    return !(footpoint_detail_bits(footpoint_detail_least(s, t)) >> 63);
+}
+
+/* Returns the promise to prove for the whole patch: the caller's, if `close` does not suffice. `close` leaves 4e-10 to
+ * coordinates that an edge holds. Near the corners of Gregory patches footpoint_detail_bezier_within does not hold. */
+FOOTPOINT_PART double footpoint_detail_bezier_needed(const footpoint_detail_bezier_anchor *z,
+                                                     double promise)
+{
+    const double close = 1e-11;
+    return promise < close && footpoint_detail_bezier_is_clear(z) &&
+                   footpoint_detail_bezier_ball(z->at[0], z->at[1]) > 4.1e-10 &&
+                   !(footpoint_detail_bezier_within(z, close, promise) >> 63)
+               ? close
+               : promise;
+}
+
+/* Finds roughly the least point of the quadratic in the polygon h: inside, or on an edge. */
+FOOTPOINT_COLD void footpoint_detail_bezier_lowest(const double f[2], const double m[3],
+                                                   double h[4][2], double k[2])
+{
+    const double det = m[0] * m[2] - m[1] * m[1] + 2.2250738585072014e-308;
+    const double x = (m[2] * f[0] - m[1] * f[1]) / det, y = (m[0] * f[1] - m[1] * f[0]) / det;
+    double best = 0.0, slope[2], at[2];
+    int i, inside = det > 1e-9 * (m[0] * m[2]);
+    for (i = 0; i < 4; i++) {
+        const double *const from = h[i], *const to = h[(i + 1) % 4];
+        const double e[2] = {to[0] - from[0], to[1] - from[1]};
+        const double bend = e[0] * (m[0] * e[0] + 2.0 * m[1] * e[1]) + m[2] * e[1] * e[1];
+        double t, value;
+        inside &= e[0] * (y - from[1]) - e[1] * (x - from[0]) >= 0.0;
+        (void)footpoint_detail_bowl(f, m, from, slope);
+        t = -0.5 * (e[0] * slope[0] + e[1] * slope[1]) / footpoint_detail_greater(bend, 2.2250738585072014e-308);
+        t = t > 0.0 ? t < 1.0 ? t : 1.0 : 0.0;
+        at[0] = from[0] + t * e[0];
+        at[1] = from[1] + t * e[1];
+        value = footpoint_detail_bowl(f, m, at, slope);
+        if (i == 0 || value < best) {
+            best = value;
+            k[0] = at[0];
+            k[1] = at[1];
+        }
+    }
+    if (inside) {
+        k[0] = x;
+        k[1] = y;
+    }
+}
+
+/* Returns a lower bound of the squared distance over a part with corners h, (s,t) from its middle z. The change of the
+ * squared distance from z is a mean of quadratics, with the matrices at corners. Each, made convex, lies above its
+ * tangent plane near its least point, and the plane is least at a corner.
+ *
+ * Rounding: see footpoint_detail_bezier_slopes. */
+FOOTPOINT_COLD double footpoint_detail_bezier_least_of(const footpoint_detail_bezier_anchor *z,
+                                                       double h[4][2])
+{
+    const double none[2] = {0.0, 0.0}, f[2] = {z->f, z->g};
+    double a = 0.0, b = 0.0, least = 0.0, mean[3] = {0.0, 0.0, 0.0}, k[2], slope[2];
+    footpoint_detail_bezier_form form;
+    int i, j;
+    footpoint_detail_bezier_form_over(z, h, none, &form);
+    for (i = 0; i < 4; i++) {
+        a = footpoint_detail_greater(a, fabs(h[i][0]));
+        b = footpoint_detail_greater(b, fabs(h[i][1]));
+        mean[0] += form.m11[i] / 4;
+        mean[1] += form.m12[i] / 4;
+        mean[2] += form.m22[i] / 4;
+    }
+    (void)footpoint_detail_convex(mean, a, b);
+    footpoint_detail_bezier_lowest(f, mean, h, k);
+    for (i = 0; i < 4; i++) {
+        double m[3], here, down = 0.0;
+        m[0] = form.m11[i];
+        m[1] = form.m12[i];
+        m[2] = form.m22[i];
+        here = -footpoint_detail_convex(m, a, b);
+        here += footpoint_detail_bowl(f, m, k, slope);
+        for (j = 0; j < 4; j++)
+            down = footpoint_detail_least(down, slope[0] * (h[j][0] - k[0]) +
+                                                    slope[1] * (h[j][1] - k[1]));
+        least = i ? footpoint_detail_least(least, here + down) : here + down;
+    }
+    return z->dd + least - 2.0 * (a * z->off_f + b * z->off_g) -
+           (z->off_dd + 2.0 * z->off * (a * a + b * b));
+}
+
+/* Parts of the face, by their corners (xi,eta). */
+typedef struct {
+    double at[4][2];
+} footpoint_detail_bezier_piece;
+
+/* Halves a part, with middle z, at the edge that is longest in space; quadrilaterals also at the opposite edge. */
+FOOTPOINT_COLD void footpoint_detail_bezier_halve(const footpoint_detail_bezier_anchor *z,
+                                                  footpoint_detail_bezier_piece *one,
+                                                  footpoint_detail_bezier_piece *other)
+{
+    int k = 0, i;
+    double longest = -1.0;
+    *other = *one;
+    for (i = 0; i < 4; i++) {
+        const double *const from = one->at[i], *const to = one->at[(i + 1) % 4];
+        double square = 0.0;
+        int j;
+        for (j = 0; j < 3; j++) {
+            const double e = (to[0] - from[0]) * z->r.u[j] + (to[1] - from[1]) * z->r.v[j];
+            square += e * e;
+        }
+        if (square > longest) {
+            longest = square;
+            k = i;
+        }
+    }
+    for (i = 0; i < 2; i++) {
+        const int next = (k + 1) % 4, third = (k + 2) % 4, last = (k + 3) % 4;
+        if (4 == 4)
+            one->at[third][i] = other->at[last][i] = 0.5 * (one->at[third][i] + one->at[last][i]);
+        one->at[next][i] = other->at[k][i] = 0.5 * (one->at[k][i] + one->at[next][i]);
+    }
+}
+
+/* Computes the middle of a part. */
+FOOTPOINT_COLD void footpoint_detail_bezier_middle_of(const footpoint_detail_bezier_piece *part,
+                                                      double at[2])
+{
+    int i;
+    for (i = 0; i < 2; i++)
+        at[i] = 4 == 4 ? 0.5 * (part->at[0][i] + part->at[2][i])
+                             : (part->at[0][i] + part->at[1][i] + part->at[4 - 1][i]) / 3.0;
+}
+
+/* Returns 1 if a part has no point nearer than `most`, a squared distance, near one of n anchors where the slope nearly
+ * vanishes. */
+FOOTPOINT_COLD int footpoint_detail_bezier_about(const footpoint_detail_bezier_anchor *z, int n,
+                                                 const footpoint_detail_bezier_piece *part, double most)
+{
+    int i, k;
+    for (i = 0; i < n; i++) {
+        footpoint_detail_bezier_form m;
+        double h[4][2], grow[2], f, g, fall;
+        footpoint_detail_bezier_grows(z[i].held[0], z[i].f, z[i].off_f, &grow[0], &f);
+        footpoint_detail_bezier_grows(z[i].held[1], z[i].g, z[i].off_g, &grow[1], &g);
+        for (k = 0; k < 4; k++)
+            footpoint_detail_bezier_way(&z[i], part->at[k], h[k]);
+        footpoint_detail_bezier_form_over(&z[i], h, grow, &m);
+        fall = 2.02 * (m.high * f * f + m.wide * g * g) / m.det + z[i].off_dd;
+        if (m.det > 0.0 && m.low > 0.0 && z[i].dd - fall >= most)
+            return 1;
+    }
+    return 0;
+}
+
+/* Returns the result of a proof that no point of the face is nearer than z[0], except within `promise` of it; or, if
+ * slack > 0, that no point is nearer by more than slack. z[1], if n > 1, is another point as near. start: a point that
+ * is, or may be, nearer. */
+FOOTPOINT_COLD int footpoint_detail_bezier_split(const footpoint_detail_bezier_terms *of,
+                                                 const footpoint_detail_bezier_anchor *z, int n,
+                                                 double promise, double slack, double start[2])
+{
+    footpoint_detail_bezier_piece stack[FOOTPOINT_DETAIL_DEPTH + 2];
+    const double less = sqrt(z->dd) - slack, most = slack > 0.0 ? less * less : z->dd;
+    int top = 0, parts;
+    if (slack > 0.0 && !(less > 0.0))
+        return FOOTPOINT_DETAIL_FAR;
+    footpoint_detail_bezier_whole(stack[0].at);
+    for (parts = 0; top >= 0; parts++) {
+        footpoint_detail_bezier_piece *const part = &stack[top];
+        footpoint_detail_bezier_anchor c;
+        double h[4][2], middle[2], width = 0.0, least;
+        int k;
+        if (slack > 0.0 ? footpoint_detail_bezier_about(z, n, part, most)
+                        : !(footpoint_detail_bezier_sole_of(z, part->at, promise) >> 63)) {
+            top--;
+            continue;
+        }
+        footpoint_detail_bezier_middle_of(part, middle);
+        footpoint_detail_bezier_anchor_at(of, middle, 0, &c);
+        for (k = 0; k < 4; k++) {
+            footpoint_detail_bezier_way(&c, part->at[k], h[k]);
+            width = footpoint_detail_greater(width, fabs(h[k][0]) + fabs(h[k][1]));
+        }
+        least = footpoint_detail_bezier_least_of(&c, h);
+        start[0] = middle[0];
+        start[1] = middle[1];
+        if (least > most) {
+            top--;
+            continue;
+        }
+        if (slack <= 0.0 && c.dd < z->dd - c.off_dd)
+            return FOOTPOINT_DETAIL_NEARER;
+        if (parts >= FOOTPOINT_DETAIL_PARTS || width < 1e-4 || top >= FOOTPOINT_DETAIL_DEPTH)
+            return FOOTPOINT_DETAIL_DOUBT;
+        footpoint_detail_bezier_halve(&c, part, &stack[top + 1]);
+        top++;
+    }
+    return FOOTPOINT_DETAIL_FAR;
+}
+
+/* Computes Newton's step in the coordinates that no edge holds, or the Gauss-Newton step if Newton's may lead
+ * uphill. */
+FOOTPOINT_COLD void footpoint_detail_bezier_free_step(const footpoint_detail_bezier_anchor *z,
+                                                      const int held[2], double h[2])
+{
+    const double uu = footpoint_detail_dot(z->r.u, z->r.u), uv = footpoint_detail_dot(z->r.u, z->r.v);
+    const double vv = footpoint_detail_dot(z->r.v, z->r.v), f = z->f, g = z->g;
+    double h11 = uu - z->a, h12 = uv - z->b, h22 = vv - z->c, det = h11 * h22 - h12 * h12;
+    if (!(h11 > 1e-3 * uu && h22 > 1e-3 * vv && (held[0] || held[1] || det > 1e-6 * (uu * vv)))) {
+        h11 = uu + 2.2250738585072014e-308;
+        h12 = uv;
+        h22 = vv + 2.2250738585072014e-308;
+        det = 1.001 * uu * vv - uv * uv + 2.2250738585072014e-308;
+    }
+    h[0] = held[0] ? 0.0 : held[1] ? f / h11 : (h22 * f - h12 * g) / det;
+    h[1] = held[1] ? 0.0 : held[0] ? g / h22 : (h11 * g - h12 * f) / det;
+}
+
+/* Computes `to`, the end of the step h from z, or of the part of it in the face; a coordinate within 1e-15 of an
+ * edge becomes the edge's. */
+FOOTPOINT_COLD void footpoint_detail_bezier_along_way(const footpoint_detail_bezier_anchor *z,
+                                                      const double h[2], double to[2])
+{
+    const double x = 4 == 4 || z->turn == 0 ? h[0] : z->turn == 1 ? -(h[0] + h[1]) : h[1];
+    const double y = 4 == 4 || z->turn == 0 ? h[1] : z->turn == 1 ? h[0] : -(h[0] + h[1]);
+    const double low = 4 == 3 ? 0.0 : -1.0, third = 1.0 - z->at[0] - z->at[1];
+    const double way[2] = {x, y};
+    double part = 1.0;
+    int i;
+    for (i = 0; i < 2; i++) {
+        if (way[i] < 0.0 && part * way[i] < low - z->at[i])
+            part = (low - z->at[i]) / way[i];
+        if (4 == 4 && way[i] > 0.0 && part * way[i] > 1.0 - z->at[i])
+            part = (1.0 - z->at[i]) / way[i];
+    }
+    if (4 == 3 && x + y > 0.0 && part * (x + y) > third)
+        part = footpoint_detail_greater(third, 0.0) / (x + y);
+    for (i = 0; i < 2; i++) {
+        to[i] = z->at[i] + part * way[i];
+        to[i] = to[i] - low < 1e-15 ? low : to[i] > 1.0 - 1e-15 ? 1.0 : to[i];
+    }
+    if (4 == 3 && 1.0 - to[0] - to[1] < 1e-15) {
+        to[0] = to[0] > 0.5 ? to[0] : 1.0 - to[1];
+        to[1] = 1.0 - to[0];
+    }
+}
+
+/* Takes a step from z on the closed face; if an edge stops it at once, along that edge. */
+FOOTPOINT_COLD void footpoint_detail_bezier_step_on(const footpoint_detail_bezier_anchor *z, double h[2])
+{
+    int held[2], i;
+    held[0] = fabs(z->held[0]) > 0.0 && z->held[0] * z->f >= 0.0;
+    held[1] = fabs(z->held[1]) > 0.0 && z->held[1] * z->g >= 0.0;
+    footpoint_detail_bezier_free_step(z, held, h);
+    for (i = 0; i < 2; i++)
+        if (!held[i] && z->held[i] * h[i] > 0.0) {
+            held[i] = 1;
+            footpoint_detail_bezier_free_step(z, held, h);
+            return;
+        }
+}
+
+/* Moves *z downhill until steps are within rounding. */
+FOOTPOINT_COLD void footpoint_detail_bezier_downhill(const footpoint_detail_bezier_terms *of,
+                                                     footpoint_detail_bezier_anchor *z)
+{
+    footpoint_detail_bezier_anchor next;
+    double h[2], to[2], moved, before = 9.0;
+    int i;
+    for (i = 0; i < 60; i++) {
+        footpoint_detail_bezier_step_on(z, h);
+        footpoint_detail_bezier_along_way(z, h, to);
+        moved = fabs(to[0] - z->at[0]) + fabs(to[1] - z->at[1]);
+        if (!(moved > 0.0) || (moved < 1e-9 && moved >= 0.5 * before))
+            return;
+        footpoint_detail_bezier_anchor_at(of, to, footpoint_detail_bezier_region(to), &next);
+        while (moved > 1e-6 && !(next.dd < z->dd)) {
+            h[0] *= 0.25;
+            h[1] *= 0.25;
+            footpoint_detail_bezier_along_way(z, h, to);
+            moved = fabs(to[0] - z->at[0]) + fabs(to[1] - z->at[1]);
+            footpoint_detail_bezier_anchor_at(of, to, footpoint_detail_bezier_region(to), &next);
+        }
+        *z = next;
+        before = moved;
+    }
+}
+
+/* Returns 1 if z[1] is another point of space than z[0], and as near. */
+FOOTPOINT_COLD int footpoint_detail_bezier_is_tie(const footpoint_detail_bezier_anchor z[2],
+                                                  double longest)
+{
+    double e[3];
+    footpoint_detail_from(z[0].r.d, z[1].r.d, e);
+    return footpoint_detail_dot(e, e) > 1e-6 * 1e-6 * longest * longest &&
+           fabs(sqrt(z[1].dd) - sqrt(z[0].dd)) + z[0].off_d + z[1].off_d <= 1e-10 * longest;
+}
+
+/* Finds the nearest point by descents, as z[0]; returns its status. A tie is proved, too: no point is nearer by more
+ * than 1e-10 of the longest edge, and another, elsewhere in space, is not farther by more. */
+FOOTPOINT_COLD int footpoint_detail_bezier_seek(const footpoint_detail_bezier_terms *of, double promise,
+                                                double longest, footpoint_detail_bezier_anchor z[2])
+{
+    double start[2];
+    int tries;
+    footpoint_detail_bezier_downhill(of, z);
+    for (tries = 0; tries < 8; tries++) {
+        if (footpoint_detail_bezier_split(of, z, 1, footpoint_detail_bezier_needed(z, promise), 0.0,
+                                          start) == FOOTPOINT_DETAIL_FAR)
+            return FOOTPOINT_OK;
+        footpoint_detail_bezier_anchor_at(of, start, footpoint_detail_bezier_region(start), &z[1]);
+        footpoint_detail_bezier_downhill(of, &z[1]);
+        if (z[1].dd < z->dd) {
+            z[0] = z[1];
+            continue;
+        }
+        return footpoint_detail_bezier_is_tie(z, longest) && !(footpoint_detail_fast() >> 63) &&
+                       footpoint_detail_bezier_split(of, z, 2, promise,
+                                                     1e-10 * longest - z[0].off_d,
+                                                     start) == FOOTPOINT_DETAIL_FAR
+                   ? FOOTPOINT_NOT_UNIQUE
+                   : FOOTPOINT_UNPROVED;
+    }
+    return FOOTPOINT_UNPROVED;
+}
+
+/* Answers after the quick way has proved nothing and ended in `at`: again in a unit of length in which the face is
+ * about 1 long, if it is far from that, then by descents. at[2]: the distance. */
+FOOTPOINT_COLD int footpoint_detail_bezier_proved_again(footpoint_detail_nearby *nearby,
+                                                        const double *const *x, int scalable,
+                                                        double promise, double at[3], int *region)
+{
+    footpoint_detail_bezier_terms of;
+    footpoint_detail_bezier_anchor z[2];
+    double y[9][3], longest, least;
+    unsigned long long flat;
+    const double *row[9];
+    int exponent = 0, i, status = footpoint_detail_scale(x, 4, 9, y, &exponent);
+    (void)scalable;
+    if (status != FOOTPOINT_OK)
+        return status;
+    for (i = 0; i < 9; i++)
+        row[i] = y[i];
+    footpoint_detail_bezier_expand(row, &of);
+    longest = sqrt(footpoint_detail_bezier_longest(row));
+    least = footpoint_detail_bezier_none_within(row);
+    if (footpoint_detail_infinite(least) >> 63 || least > longest)
+        return FOOTPOINT_ERR_DOMAIN;
+    status = FOOTPOINT_UNPROVED;
+    if (exponent > 32 || exponent < -32) {
+        status = nearby(row, 0, 0.0, at, region);
+        at[2] = footpoint_detail_signed_root(at[2]);
+    }
+    if (status == FOOTPOINT_UNPROVED) {
+        footpoint_detail_bezier_anchor_at(&of, at, footpoint_detail_bezier_region(at), z);
+        status = footpoint_detail_bezier_seek(&of, promise, longest, z);
+        *region = footpoint_detail_bezier_region(z->at);
+        at[0] = z->at[0];
+        at[1] = z->at[1];
+        at[2] = footpoint_detail_signed_root(footpoint_detail_bezier_signed(
+            row, z, footpoint_detail_bezier_extent(&of), *region, &flat));
+        if (flat >> 63)
+            return FOOTPOINT_ERR_DEGENERATE;
+        if (status != FOOTPOINT_UNPROVED && fabs(at[2]) > longest)
+            status = FOOTPOINT_ERR_DOMAIN;
+    }
+    at[2] = ldexp(at[2], exponent);
+    return status;
+}
+
+/* Returns a lower bound on the distance of the face, for an answer `at` of that status. */
+FOOTPOINT_COLD double footpoint_detail_bezier_none_nearer(const double *const *x, double promise,
+                                                          int status, const double at[3])
+{
+    footpoint_detail_bezier_terms of;
+    footpoint_detail_bezier_anchor z;
+    double grows, f, g;
+    if (status == FOOTPOINT_NOT_UNIQUE)
+        return fabs(at[2]);
+    if (status == FOOTPOINT_UNPROVED)
+        return footpoint_detail_bezier_none_within(x);
+    footpoint_detail_bezier_expand(x, &of);
+    footpoint_detail_bezier_anchor_at(&of, at, footpoint_detail_bezier_region(at), &z);
+    footpoint_detail_bezier_grows(z.held[0], z.f, 0.0, &grows, &f);
+    footpoint_detail_bezier_grows(z.held[1], z.g, 0.0, &grows, &g);
+    f = at[2] * at[2] - 2.0 * promise * (f + g);
+    return sqrt(footpoint_detail_greater(f, 0.0));
+}
+
+/* The quick way from (xi,eta) = at: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED without a
+ * proof. `bare` steps precede the first tested step. */
+FOOTPOINT_APART int footpoint_detail_bezier_close(const double *const *x, double promise, int bare,
+                                                  double at[3], int *region)
+{
+    footpoint_detail_bezier_terms of;
+    footpoint_detail_bezier_anchor z;
+    double size, longest, whole[4][2];
+    unsigned long long doubt, flat = 0, beyond;
+    int k, i;
+    *region = 0;
+    if (!footpoint_detail_finite(x, 9)) {
+        at[0] = at[1] = at[2] = 0.0;
+        return FOOTPOINT_UNPROVED;
+    }
+    footpoint_detail_bezier_expand(x, &of);
+    for (i = 0; i < 2; i++)
+        at[i] =
+            footpoint_detail_infinite(at[i]) >> 63 ? 0.0 : footpoint_detail_bezier_kept(at[i]);
+    for (k = 0; k <= bare; k++)
+        footpoint_detail_bezier_bare(&of, &at[0], &at[1]);
+    if (footpoint_detail_infinite(at[0] + at[1]) >> 63)
+        at[0] = at[1] = 0.0;
+    footpoint_detail_bezier_anchor_at(&of, at, 0, &z);
+    if (footpoint_detail_bezier_region(at))
+        footpoint_detail_bezier_downhill(&of, &z);
+    footpoint_detail_bezier_whole(whole);
+    doubt = footpoint_detail_bezier_sole_of(&z, whole, footpoint_detail_bezier_needed(&z, promise));
+    at[0] = z.at[0];
+    at[1] = z.at[1];
+    *region = footpoint_detail_bezier_region(at);
+    size = footpoint_detail_bezier_extent(&of);
+    longest = footpoint_detail_bezier_longest(x);
+    at[2] = footpoint_detail_bezier_signed(x, &z, size, *region, &flat);
+    beyond = footpoint_detail_above(z.dd, longest);
+    doubt |= flat | footpoint_detail_bits(1.01 - of.net.tilt) |
+             footpoint_detail_outside(z.far * z.far * (z.far * z.far)) |
+             footpoint_detail_outside(size * size);
+    return FOOTPOINT_UNPROVED * (int)(doubt >> 63) +
+           FOOTPOINT_ERR_DOMAIN * (int)((beyond & ~doubt) >> 63);
+}
+
+/* Finds an answer, with the distance in at. */
+FOOTPOINT_PART int footpoint_detail_bezier_proved_closest(footpoint_detail_nearby *nearby,
+                                                          const double *const *x, int scalable,
+                                                          double promise, double at[3], int *region)
+{
+    const int status = nearby(x, 0, 0.0, at, region);
+    if (status == FOOTPOINT_UNPROVED)
+        return footpoint_detail_bezier_proved_again(nearby, x, scalable, promise, at, region);
+    at[2] = footpoint_detail_signed_root(at[2]);
+    return status;
+}
+
+/* Writes its answer for the caller, if there is an answer. */
+FOOTPOINT_PART int footpoint_detail_bezier_proved_answer(int status, const double at[3], int where,
+                                                         double loc[2], double *dist, int *region)
+{
+    const int good = status < FOOTPOINT_OK ? status : FOOTPOINT_OK;
+    (void)footpoint_detail_closest_answer(good, at, where, loc, dist, region);
+    return status;
+}
+
+/* Answers n pairs; pairs that the loop does not prove follow after it. */
+FOOTPOINT_PART void footpoint_detail_bezier_proved_closest_n(
+    footpoint_detail_nearby *nearby, size_t n, const double *const *x, int scalable, double promise,
+    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
+    int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
+{
+    const double zero = footpoint_detail_zero();
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double at[3];
+        status[i] = nearby(row, 1, zero, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    for (i = 0; i < n; i++)
+        dist[i] = footpoint_detail_signed_root(dist[i]);
+    for (i = 0; i < n; i++)
+        if (status[i] == FOOTPOINT_UNPROVED) {
+            const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+            const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+            double at[3];
+            at[0] = xi[i];
+            at[1] = eta[i];
+            status[i] =
+                footpoint_detail_bezier_proved_again(nearby, row, scalable, promise, at, &region[i]);
+            xi[i] = at[0];
+            eta[i] = at[1];
+            dist[i] = at[2];
+        }
+}
+
+/* The nearest segment so far: its number, answer and status, and a lower bound of its distance. */
+typedef struct {
+    size_t which;
+    double at[3], least;
+    int region, status;
+} footpoint_detail_bezier_candidate;
+
+/* Refines an answer to rounding, if that is proved. */
+FOOTPOINT_COLD void footpoint_detail_bezier_refine(footpoint_detail_nearby *nearby,
+                                                   const double *const *x, const double *xS, double promise,
+                                                   footpoint_detail_bezier_candidate *c)
+{
+    footpoint_detail_bezier_candidate finer = *c;
+    const double *row[9];
+    footpoint_detail_bezier_row(x, xS, c->which, row);
+    if (c->status != FOOTPOINT_OK || c->least >= fabs(c->at[2]))
+        return;
+    if (footpoint_detail_bezier_proved_again(nearby, row, 0, promise, finer.at, &finer.region) !=
+        FOOTPOINT_OK)
+        return;
+    finer.least = fabs(finer.at[2]);
+    *c = finer;
+}
+
+/* Finds the nearest of n segments, and the side of their surface.  FOOTPOINT_UNPROVED if another segment without a proved
+ * answer may be nearer; if errors of two answers could hide which is nearer, both are refined. */
+FOOTPOINT_PART int footpoint_detail_bezier_proved_closest_of(footpoint_detail_nearby *nearby,
+                                                             size_t n, const double *const *x,
+                                                             const double *xS, int scalable,
+                                                             double promise, double loc[2], double *dist,
+                                                             int *region, size_t *which)
+{
+    footpoint_detail_bezier_candidate best = {0, {0.0, 0.0, 0.0}, 0.0, 0, FOOTPOINT_ERR_DOMAIN};
+    double hidden = -1.0; /* lower bound on the distances of unproved segments; < 0: all are proved */
+    size_t i;
+    for (i = 0; i < n; i++) {
+        footpoint_detail_bezier_candidate c, loser;
+        const double *row[9];
+        c.which = i;
+        footpoint_detail_bezier_row(x, xS, i, row);
+        c.status =
+            footpoint_detail_bezier_proved_closest(nearby, row, scalable, promise, c.at, &c.region);
+        if (c.status < FOOTPOINT_OK) {
+            best.status = best.status < FOOTPOINT_OK ? c.status : best.status;
+            continue;
+        }
+        c.least = footpoint_detail_bezier_none_nearer(row, promise, c.status, c.at);
+        if (best.status >= FOOTPOINT_OK) {
+            if (c.least < fabs(best.at[2]) && best.least < fabs(c.at[2])) {
+                footpoint_detail_bezier_refine(nearby, x, xS, promise, &best);
+                footpoint_detail_bezier_refine(nearby, x, xS, promise, &c);
+            }
+            loser = fabs(c.at[2]) < fabs(best.at[2]) ? best : c;
+            if (loser.status == FOOTPOINT_UNPROVED && (hidden < 0.0 || loser.least < hidden))
+                hidden = loser.least;
+        }
+        if (best.status < FOOTPOINT_OK || fabs(c.at[2]) < fabs(best.at[2]))
+            best = c;
+    }
+    if (best.status < FOOTPOINT_OK)
+        return best.status;
+    if (best.region > 0)
+        best.at[2] = footpoint_detail_bezier_behind_all(n, x, xS, best.which, best.at, best.region)
+                         ? -fabs(best.at[2])
+                         : fabs(best.at[2]);
+    if (hidden >= 0.0 && hidden < fabs(best.at[2]))
+        best.status = FOOTPOINT_UNPROVED;
+    *which = best.which;
+    return footpoint_detail_bezier_proved_answer(best.status, best.at, best.region, loc, dist,
+                                                 region);
 }
 #endif
 
@@ -2065,15 +3805,58 @@ FOOTPOINT_APART void footpoint_detail_bezier_lanes_run(footpoint_detail_bezier_l
  * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
  *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
 
-/* NAME, NAME_checked_n and NAME_over_n return FOOTPOINT_OK only if a minimum of the distance to the patch, or to the surface that its
- * polynomials make just beyond an edge, is proved to lie within NAME_PROMISE, a macro, of (xi,eta).  FOOTPOINT_OUTSIDE: (xi,eta) lies on
- * an edge or in a corner, and within NAME_PROMISE of a proved minimum of the distance to the closed patch, from which the distance falls
- * beyond the border.  Both hold for any normals of length 1, rounding errors included.  FOOTPOINT_UNPROVED: steps came to no proof, loc
- * and gap are where they ended; under -ffast-math nothing is proved.  On how many of the samples OK or OUTSIDE is proved stands above
- * each function.  NAME_at and NAME_n prove nothing.
+/* NAME, NAME_checked_n and NAME_over_n return FOOTPOINT_OK only if a minimum of the distance to the patch, or to the
+ * surface that its polynomials make just beyond an edge, is proved to lie within the macro NAME_PROMISE of (xi,eta).
+ * FOOTPOINT_OUTSIDE: (xi,eta) lies on an edge or in a corner, and within NAME_PROMISE of a proved minimum of the
+ * distance to the closed patch, from which the distance falls beyond the border. Both hold for any normals of length 1,
+ * rounding errors included. FOOTPOINT_UNPROVED: the steps found no proof, and loc and gap are where they ended; under
+ * -ffast-math nothing is proved. The banner of each function states the share of samples for which OK or OUTSIDE is
+ * proved. NAME_at and NAME_n prove nothing.
  *
- * NAME_checked_n and NAME_over_n search 16 pairs side by side, and those without proof again as NAME does.  Their answers differ from its
- * within the promises.  For promises of 1e-3 and more they compute in single precision, gaps within 1e-6 of the longest edge. */
+ * NAME_checked_n and NAME_over_n search 16 pairs side by side, and repeat those without proof by NAME. Their answers
+ * differ from NAME's within the promises. For promises of 1e-3 and more they compute in single precision, with gaps
+ * within 1e-6 of the longest edge. */
+
+/* NAME_from:  does the same as NAME, from the last answer: loc must be set to {xi, eta} of the last step or of a neighbour's
+ *           foot point. It is fastest if the foot point has moved by less than 0.1. If steps from loc prove nothing, or
+ *           lead farther than half of the segment, or if a number in loc is NaN or infinite, it calls NAME; callers
+ *           without a last answer set NaN. Statuses, outputs and proofs are those of NAME, though rounding differs. On
+ *           a folded segment with several close minima, the answer is the minimum to which steps from loc lead; it need
+ *           not be NAME's, nor the nearest.
+ * NAME_from_n:  does the same for n pairs, with last answers in xi and eta, which the new answers replace unless the
+ *           status is < 0.
+ * NAME_from_over_n:  does the same for n slave nodes over one segment, like NAME_over_n. */
+
+/* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
+ *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, the part that contains r: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
+ *           FOOTPOINT_OK is proved, rounding errors included, which no order of summation changes: the point of the closed
+ *           segment that is closest to xS lies within NAME_PROMISE of loc, in xi and in eta, and in `region`, unless it is
+ *           within 1e-9 of the region's border.  So dist exceeds the least distance by at most NAME_PROMISE times the
+ *           largest |r_xi| + |r_eta|.  FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 1e-10 of the
+ *           longest edge, and another point, elsewhere in space, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest
+ *           point that descents have found; under -ffast-math this is the status of all answers.  If two nodes coincide, xi or
+ *           eta may be any number of the edge between them.
+ *           Behind means (xS - r) . n < 0 for the segment's normal n at r.  If r_xi x r_eta at r is a thousand times shorter
+ *           than at a thousandth (1/1024; float: 1/32) of the way to the middle, as at a collapsed edge or at an angle of
+ *           about 180 degrees, n is the normal at the latter point.  At an edge or a corner xS is
+ *           behind only by more than a small angle, 1e-12 (float: 1e-6), and by more than rounding: a node beside a flat
+ *           segment, in its plane, has dist > 0.  A negative sign is not yet contact: xS penetrates if dist < 0 and region
+ *           is 0, or if NAME_closest_of with all segments there has dist < 0.
+ *           On error all outputs are untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE if the segment has no area;
+ *           FOOTPOINT_ERR_DOMAIN if r is farther from xS than the longest edge.
+ * NAME_closest_from:  does the same from the last answer, or NaN, in loc.  Down to promises of 1e-5 it begins there and calls
+ *           NAME_closest if it proves nothing; finer promises begin anew, which is as fast.  region 1 to 8 is the edge or corner
+ *           at which xS leaves the segment: search the neighbour there next.
+ * NAME_closest_n:  does the same for n pairs, each with its status; on error the other results may be overwritten.
+ * NAME_closest_of:  finds the nearest of n segments, the nodes of segment i being x[8 i] and on, such as a
+ *           search for neighbours returns; which is its number.  dist < 0 behind the surface of the segments: at
+ *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that share it, each
+ *           times its angle there (Baerentzen and Aanaes 2005).  This is the side of a closed surface if all segments
+ *           at that edge or corner are among the n; otherwise it is the side of the given segments.  Nodes with
+ *           equal coordinates are the same node.  FOOTPOINT_UNPROVED also if a segment without a proved answer may be
+ *           nearer.  If errors of loc could hide which of two segments is nearer, both are found to rounding.  Segments
+ *           without an answer are skipped; if no segment has an answer, the status is the last segment's, and
+ *           FOOTPOINT_ERR_DOMAIN if n = 0. */
 
 FOOTPOINT_PART unsigned long long footpoint_bezier_facet_detail(const double xA[3], const double xB[3],
                                                                 const double xC[3], const double xD[3],
@@ -3050,6 +4833,75 @@ FOOTPOINT_LOOP void footpoint_bezier_facet_over_n(const double *const nodes[8], 
     footpoint_detail_f_bezier_lanes_run(footpoint_bezier_smooth_single_begin, 0, footpoint_bezier_facet_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_FACET_PROMISE, xi, eta, gap, status);
 }
 
+FOOTPOINT_FN int footpoint_bezier_facet_from(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double nA[3], const double nB[3],
+                                             const double nC[3], const double nD[3], const double xS[3], double loc[2],
+                                             double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_bezier_from(x, FOOTPOINT_BEZIER_FACET_PROMISE, FOOTPOINT_BEZIER_LEAST, loc, &xi, &eta, &g) >> 63)
+        return footpoint_detail_bezier_further(footpoint_bezier_facet_detail_checked, x, FOOTPOINT_BEZIER_FACET_PROMISE, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_facet_from_n(size_t n, const double *const x[27],
+                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_bezier_lanes_run(NULL, 3, footpoint_bezier_facet_detail_checked, NULL, n, x, FOOTPOINT_BEZIER_FACET_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_facet_from_over_n(const double *const nodes[8], size_t n,
+                                                       const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                       double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_bezier_lanes_run(NULL, 3, footpoint_bezier_facet_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_FACET_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_bezier_facet_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
+                                                        int *region)
+{
+    (void)lanes;
+    (void)footpoint_bezier_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
+    return footpoint_detail_bezier_close(x, FOOTPOINT_BEZIER_FACET_PROMISE, 0, at, region);
+}
+
+FOOTPOINT_FN int footpoint_bezier_facet_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double nA[3], const double nB[3],
+                                                const double nC[3], const double nD[3], const double xS[3],
+                                                double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double at[3];
+    int where;
+    const int status =
+        footpoint_detail_bezier_proved_closest(footpoint_bezier_facet_detail_nearby, x, 1, FOOTPOINT_BEZIER_FACET_PROMISE, at, &where);
+    return footpoint_detail_bezier_proved_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_facet_closest_n(size_t n, const double *const x[27],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_proved_closest_n(footpoint_bezier_facet_detail_nearby, n, x, 1, FOOTPOINT_BEZIER_FACET_PROMISE, xi, eta,
+                                             dist, region, status);
+}
+
+FOOTPOINT_FN int footpoint_bezier_facet_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                   double loc[2],
+                                                   double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_bezier_proved_closest_of(footpoint_bezier_facet_detail_nearby, n, x, xS, 1, FOOTPOINT_BEZIER_FACET_PROMISE,
+                                                     loc, dist, region, which);
+}
+
 /* footpoint_bezier_normals
  *   operations:     74 mul, 2 div, 85 add, 0 sqrt, 5 compare; 60 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
@@ -3122,6 +4974,77 @@ FOOTPOINT_LOOP void footpoint_bezier_normals_over_n(const double *const nodes[8]
                                                     int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_f_bezier_lanes_run(footpoint_bezier_smooth_single_begin, 0, footpoint_bezier_normals_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_NORMALS_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_FN int footpoint_bezier_normals_from(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double nA[3], const double nB[3],
+                                               const double nC[3], const double nD[3], const double xS[3],
+                                               double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_bezier_from(x, FOOTPOINT_BEZIER_NORMALS_PROMISE, FOOTPOINT_BEZIER_LEAST, loc, &xi, &eta, &g) >> 63)
+        return footpoint_detail_bezier_further(footpoint_bezier_normals_detail_checked, x, FOOTPOINT_BEZIER_NORMALS_PROMISE, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_normals_from_n(size_t n, const double *const x[27],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_bezier_lanes_run(NULL, 3, footpoint_bezier_normals_detail_checked, NULL, n, x, FOOTPOINT_BEZIER_NORMALS_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_normals_from_over_n(const double *const nodes[8], size_t n,
+                                                         const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_bezier_lanes_run(NULL, 3, footpoint_bezier_normals_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_NORMALS_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_bezier_normals_detail_nearby(const double *const *x, int lanes, double zero,
+                                                          double at[3],
+                                                          int *region)
+{
+    (void)lanes;
+    (void)footpoint_bezier_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
+    return footpoint_detail_bezier_close(x, FOOTPOINT_BEZIER_NORMALS_PROMISE, 0, at, region);
+}
+
+FOOTPOINT_FN int footpoint_bezier_normals_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double nA[3], const double nB[3],
+                                                  const double nC[3], const double nD[3], const double xS[3],
+                                                  double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double at[3];
+    int where;
+    const int status =
+        footpoint_detail_bezier_proved_closest(footpoint_bezier_normals_detail_nearby, x, 1, FOOTPOINT_BEZIER_NORMALS_PROMISE, at, &where);
+    return footpoint_detail_bezier_proved_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_normals_closest_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_proved_closest_n(footpoint_bezier_normals_detail_nearby, n, x, 1, FOOTPOINT_BEZIER_NORMALS_PROMISE, xi, eta,
+                                             dist, region, status);
+}
+
+FOOTPOINT_FN int footpoint_bezier_normals_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                     double loc[2],
+                                                     double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_bezier_proved_closest_of(footpoint_bezier_normals_detail_nearby, n, x, xS, 1, FOOTPOINT_BEZIER_NORMALS_PROMISE,
+                                                     loc, dist, region, which);
 }
 
 /* footpoint_bezier_smooth
@@ -3198,6 +5121,77 @@ FOOTPOINT_LOOP void footpoint_bezier_smooth_over_n(const double *const nodes[8],
     footpoint_detail_f_bezier_lanes_run(footpoint_bezier_smooth_single_begin, 0, footpoint_bezier_smooth_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_SMOOTH_PROMISE, xi, eta, gap, status);
 }
 
+FOOTPOINT_FN int footpoint_bezier_smooth_from(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double nA[3], const double nB[3],
+                                              const double nC[3], const double nD[3], const double xS[3],
+                                              double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_bezier_from(x, FOOTPOINT_BEZIER_SMOOTH_PROMISE, FOOTPOINT_BEZIER_LEAST, loc, &xi, &eta, &g) >> 63)
+        return footpoint_detail_bezier_further(footpoint_bezier_smooth_detail_checked, x, FOOTPOINT_BEZIER_SMOOTH_PROMISE, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_smooth_from_n(size_t n, const double *const x[27],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_bezier_lanes_run(NULL, 3, footpoint_bezier_smooth_detail_checked, NULL, n, x, FOOTPOINT_BEZIER_SMOOTH_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_smooth_from_over_n(const double *const nodes[8], size_t n,
+                                                        const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                        double *FOOTPOINT_RESTRICT eta,
+                                                        double *FOOTPOINT_RESTRICT gap,
+                                                        int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_bezier_lanes_run(NULL, 3, footpoint_bezier_smooth_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_SMOOTH_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_bezier_smooth_detail_nearby(const double *const *x, int lanes, double zero,
+                                                         double at[3],
+                                                         int *region)
+{
+    (void)lanes;
+    (void)footpoint_bezier_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
+    return footpoint_detail_bezier_close(x, FOOTPOINT_BEZIER_SMOOTH_PROMISE, 0, at, region);
+}
+
+FOOTPOINT_FN int footpoint_bezier_smooth_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                 const double xD[3], const double nA[3], const double nB[3],
+                                                 const double nC[3], const double nD[3], const double xS[3],
+                                                 double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double at[3];
+    int where;
+    const int status =
+        footpoint_detail_bezier_proved_closest(footpoint_bezier_smooth_detail_nearby, x, 1, FOOTPOINT_BEZIER_SMOOTH_PROMISE, at, &where);
+    return footpoint_detail_bezier_proved_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_smooth_closest_n(size_t n, const double *const x[27],
+                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                      double *FOOTPOINT_RESTRICT dist,
+                                                      int *FOOTPOINT_RESTRICT region,
+                                                      int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_proved_closest_n(footpoint_bezier_smooth_detail_nearby, n, x, 1, FOOTPOINT_BEZIER_SMOOTH_PROMISE, xi, eta,
+                                             dist, region, status);
+}
+
+FOOTPOINT_FN int footpoint_bezier_smooth_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                    double loc[2],
+                                                    double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_bezier_proved_closest_of(footpoint_bezier_smooth_detail_nearby, n, x, xS, 1, FOOTPOINT_BEZIER_SMOOTH_PROMISE,
+                                                     loc, dist, region, which);
+}
+
 /* footpoint_bezier_precise
  *   operations:     315 mul, 2 div, 245 add, 0 sqrt, 9 compare; 182 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
@@ -3272,6 +5266,77 @@ FOOTPOINT_LOOP void footpoint_bezier_precise_over_n(const double *const nodes[8]
     footpoint_detail_bezier_lanes_run(footpoint_bezier_normals_begin, 1, footpoint_bezier_precise_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_PRECISE_PROMISE, xi, eta, gap, status);
 }
 
+FOOTPOINT_FN int footpoint_bezier_precise_from(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double nA[3], const double nB[3],
+                                               const double nC[3], const double nD[3], const double xS[3],
+                                               double loc[2], double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_bezier_from(x, FOOTPOINT_BEZIER_PRECISE_PROMISE, FOOTPOINT_BEZIER_LEAST, loc, &xi, &eta, &g) >> 63)
+        return footpoint_detail_bezier_further(footpoint_bezier_precise_detail_checked, x, FOOTPOINT_BEZIER_PRECISE_PROMISE, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_precise_from_n(size_t n, const double *const x[27],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_lanes_run(NULL, 3, footpoint_bezier_precise_detail_checked, NULL, n, x, FOOTPOINT_BEZIER_PRECISE_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_precise_from_over_n(const double *const nodes[8], size_t n,
+                                                         const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                         double *FOOTPOINT_RESTRICT eta,
+                                                         double *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_lanes_run(NULL, 3, footpoint_bezier_precise_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_PRECISE_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_bezier_precise_detail_nearby(const double *const *x, int lanes, double zero,
+                                                          double at[3],
+                                                          int *region)
+{
+    (void)lanes;
+    (void)footpoint_bezier_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
+    return footpoint_detail_bezier_close(x, FOOTPOINT_BEZIER_PRECISE_PROMISE, 1, at, region);
+}
+
+FOOTPOINT_FN int footpoint_bezier_precise_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double nA[3], const double nB[3],
+                                                  const double nC[3], const double nD[3], const double xS[3],
+                                                  double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double at[3];
+    int where;
+    const int status =
+        footpoint_detail_bezier_proved_closest(footpoint_bezier_precise_detail_nearby, x, 1, FOOTPOINT_BEZIER_PRECISE_PROMISE, at, &where);
+    return footpoint_detail_bezier_proved_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_precise_closest_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT dist,
+                                                       int *FOOTPOINT_RESTRICT region,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_proved_closest_n(footpoint_bezier_precise_detail_nearby, n, x, 1, FOOTPOINT_BEZIER_PRECISE_PROMISE, xi, eta,
+                                             dist, region, status);
+}
+
+FOOTPOINT_FN int footpoint_bezier_precise_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                     double loc[2],
+                                                     double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_bezier_proved_closest_of(footpoint_bezier_precise_detail_nearby, n, x, xS, 1, FOOTPOINT_BEZIER_PRECISE_PROMISE,
+                                                     loc, dist, region, which);
+}
+
 /* footpoint_bezier_exact
  *   operations:     456 mul, 4 div, 343 add, 0 sqrt, 15 compare; 261 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
@@ -3344,6 +5409,75 @@ FOOTPOINT_LOOP void footpoint_bezier_exact_over_n(const double *const nodes[8], 
                                                   int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_bezier_lanes_run(footpoint_bezier_exact_begin, 0, footpoint_bezier_exact_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_EXACT_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_FN int footpoint_bezier_exact_from(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double nA[3], const double nB[3],
+                                             const double nC[3], const double nD[3], const double xS[3], double loc[2],
+                                             double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_bezier_from(x, FOOTPOINT_BEZIER_EXACT_PROMISE, FOOTPOINT_BEZIER_LEAST, loc, &xi, &eta, &g) >> 63)
+        return footpoint_detail_bezier_further(footpoint_bezier_exact_detail_checked, x, FOOTPOINT_BEZIER_EXACT_PROMISE, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_exact_from_n(size_t n, const double *const x[27],
+                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_lanes_run(NULL, 3, footpoint_bezier_exact_detail_checked, NULL, n, x, FOOTPOINT_BEZIER_EXACT_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_exact_from_over_n(const double *const nodes[8], size_t n,
+                                                       const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                       double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_lanes_run(NULL, 3, footpoint_bezier_exact_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_EXACT_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_bezier_exact_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
+                                                        int *region)
+{
+    (void)lanes;
+    (void)footpoint_bezier_exact_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
+    return footpoint_detail_bezier_close(x, FOOTPOINT_BEZIER_EXACT_PROMISE, 0, at, region);
+}
+
+FOOTPOINT_FN int footpoint_bezier_exact_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double nA[3], const double nB[3],
+                                                const double nC[3], const double nD[3], const double xS[3],
+                                                double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double at[3];
+    int where;
+    const int status =
+        footpoint_detail_bezier_proved_closest(footpoint_bezier_exact_detail_nearby, x, 1, FOOTPOINT_BEZIER_EXACT_PROMISE, at, &where);
+    return footpoint_detail_bezier_proved_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_exact_closest_n(size_t n, const double *const x[27],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_proved_closest_n(footpoint_bezier_exact_detail_nearby, n, x, 1, FOOTPOINT_BEZIER_EXACT_PROMISE, xi, eta,
+                                             dist, region, status);
+}
+
+FOOTPOINT_FN int footpoint_bezier_exact_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                   double loc[2],
+                                                   double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_bezier_proved_closest_of(footpoint_bezier_exact_detail_nearby, n, x, xS, 1, FOOTPOINT_BEZIER_EXACT_PROMISE,
+                                                     loc, dist, region, which);
 }
 
 /* footpoint_bezier_full
@@ -3421,6 +5555,74 @@ FOOTPOINT_LOOP void footpoint_bezier_full_over_n(const double *const nodes[8], s
                                                  int *FOOTPOINT_RESTRICT status)
 {
     footpoint_detail_bezier_lanes_run(footpoint_bezier_smooth_begin, 1, footpoint_bezier_full_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_FULL_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_FN int footpoint_bezier_full_from(const double xA[3], const double xB[3], const double xC[3],
+                                            const double xD[3], const double nA[3], const double nB[3],
+                                            const double nC[3], const double nD[3], const double xS[3], double loc[2],
+                                            double *gap)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_bezier_from(x, FOOTPOINT_BEZIER_FULL_PROMISE, FOOTPOINT_BEZIER_LEAST, loc, &xi, &eta, &g) >> 63)
+        return footpoint_detail_bezier_further(footpoint_bezier_full_detail_checked, x, FOOTPOINT_BEZIER_FULL_PROMISE, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_full_from_n(size_t n, const double *const x[27],
+                                                 double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                 double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_lanes_run(NULL, 3, footpoint_bezier_full_detail_checked, NULL, n, x, FOOTPOINT_BEZIER_FULL_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_full_from_over_n(const double *const nodes[8], size_t n,
+                                                      const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                      double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                      int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_lanes_run(NULL, 3, footpoint_bezier_full_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_FULL_PROMISE, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_bezier_full_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
+                                                       int *region)
+{
+    (void)lanes;
+    (void)footpoint_bezier_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
+    return footpoint_detail_bezier_close(x, FOOTPOINT_BEZIER_FULL_PROMISE, 1, at, region);
+}
+
+FOOTPOINT_FN int footpoint_bezier_full_closest(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double nA[3], const double nB[3],
+                                               const double nC[3], const double nD[3], const double xS[3],
+                                               double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double at[3];
+    int where;
+    const int status =
+        footpoint_detail_bezier_proved_closest(footpoint_bezier_full_detail_nearby, x, 1, FOOTPOINT_BEZIER_FULL_PROMISE, at, &where);
+    return footpoint_detail_bezier_proved_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_full_closest_n(size_t n, const double *const x[27],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_proved_closest_n(footpoint_bezier_full_detail_nearby, n, x, 1, FOOTPOINT_BEZIER_FULL_PROMISE, xi, eta,
+                                             dist, region, status);
+}
+
+FOOTPOINT_FN int footpoint_bezier_full_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                  double loc[2],
+                                                  double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_bezier_proved_closest_of(footpoint_bezier_full_detail_nearby, n, x, xS, 1, FOOTPOINT_BEZIER_FULL_PROMISE,
+                                                     loc, dist, region, which);
 }
 
 #endif

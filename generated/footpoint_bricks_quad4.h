@@ -31,56 +31,56 @@
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
-#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own macros */
 #define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
-#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that unused results are not computed */
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#ifndef FOOTPOINT_APART /* before functions that stay separate: they vectorise whatever the caller's arrays */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_APART static __attribute__((noinline, unused))
 #else
 #define FOOTPOINT_APART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
+#ifndef FOOTPOINT_LOOP /* before loops over arrays: their callees are inlined, whatever their size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#ifndef FOOTPOINT_COLD /* before functions that are seldom called: not inlined */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
-                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#ifndef FOOTPOINT_EACH /* before loops over arrays that do not overlap; for clang pass -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns if it is not obeyed */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
-#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#ifndef FOOTPOINT_UNROLL /* before short loops inside loops over arrays, which vectorise only without them */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
-#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#ifndef FOOTPOINT_WHOLE /* the same for known counts, also long ones, which clang needs */
 #if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
 #else
@@ -114,8 +114,9 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS
 #define FOOTPOINT_DETAIL_BITS
-/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
- * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
     union {
@@ -126,8 +127,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     return both.bits;
 }
 
-/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
- * four instructions each instead of one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
 FOOTPOINT_PART double footpoint_detail_zero(void)
 {
     const volatile int zero = 0;
@@ -350,7 +351,7 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS
 #define FOOTPOINT_DETAIL_BOUNDS
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -360,7 +361,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 #endif
 }
 
-/* The greater number; a comparison with NaN raises no exception. */
+/* Returns the greater number; a comparison with NaN raises no exception. */
 FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -370,37 +371,17 @@ FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 #endif
 }
 
-/* The sum of the absolute values, and the largest. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART double footpoint_detail_sum(const double a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-FOOTPOINT_PART double footpoint_detail_most(const double a[3])
-{
-    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
-}
-
-/* The scalar product of a, >= 0, and |b|. */
+/* Returns the scalar product of a, >= 0, and |b|. */
 FOOTPOINT_PART double footpoint_detail_weigh(const double a[3], const double b[3])
 {
     return a[0] * fabs(b[0]) + a[1] * fabs(b[1]) + a[2] * fabs(b[2]);
 }
-#endif
-
-#ifndef FOOTPOINT_QUAD4_ANSWER
-#define FOOTPOINT_QUAD4_ANSWER
-/* What a proof knows of a segment and a slave node: their vectors x; those of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over`
- * of the d here; size = a . a + b . b + c . c; and of what their rounding errors are.  Coordinates of a are off by some units of
- * rounding of those of |a| + |c| + 0.08 |b|, of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with
- * 3; of d, of |a| + |b| + |c| + |d|; products of two, by as many units as `rounding`, less 10, has, of the product of what bounds the
- * two, where that of d has 0.5 (|a| + |b| + |c|) + |d|. */
-typedef struct {
-    const double *const *x;
-    const double *a, *b, *c, *d;
-    double over, size, rounding;
-    int twist;
-} footpoint_detail_quad4_vectors;
 
 /* Not less than the root of x >= 0, and at most 1.061 times that: half of its exponent, as logarithms have it. */
 FOOTPOINT_PART double footpoint_detail_root_bound(double x)
@@ -412,9 +393,25 @@ FOOTPOINT_PART double footpoint_detail_root_bound(double x)
     both.bits = (footpoint_detail_bits(x) >> 1) + (footpoint_detail_bits(1.0) >> 1);
     return both.number;
 }
+#endif
 
-/* What is at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and of each coordinate the sum of the absolute values of its
- * terms, U, V, W, C.  By rounding u and v are off by 4 units of U and V, w by 7 of W, c by 2 of C. */
+#ifndef FOOTPOINT_QUAD4_ANSWER
+#define FOOTPOINT_QUAD4_ANSWER
+/* Data for a proof about a segment and a slave node: their vectors x; the vectors of r = c0 + xi a + eta b + xi eta c
+ * and d = xS - c0, `over` of the d here; size = a . a + b . b + c . c; and their rounding errors. Coordinates of a are
+ * off by some units of rounding of those of |a| + |c| + 0.08 |b|, of b by units of |b| + |c| + 0.08 |a|; of c by units
+ * of the former with twist = 1, of the latter with 2, of both with 3; of d by units of |a| + |b| + |c| + |d|. A product
+ * of two is off by `rounding`, minus 10 units, of the product of the two bounds, where the bound of d is 0.5 (|a| + |b|
+ * + |c|) + |d|. */
+typedef struct {
+    const double *const *x;
+    const double *a, *b, *c, *d;
+    double over, size, rounding;
+    int twist;
+} footpoint_detail_quad4_vectors;
+
+/* Values at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and for each coordinate the sum of the absolute
+ * values of its terms, U, V, W, C. By rounding u and v are off by 4 units of U and V, w by 7 of W, c by 2 of C. */
 typedef struct {
     double u[3], v[3], w[3], c[3], U[3], V[3], W[3], C[3];
 } footpoint_detail_quad4_place;
@@ -442,18 +439,18 @@ FOOTPOINT_PART void footpoint_detail_quad4_visit(const double *const *x, double 
     }
 }
 
-/* A Newton step to the foot point of r, by xi and eta.  The highest bit of what it returns is not set if a minimum of the
- * distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+/* Takes a Newton step to the foot point of r, by xi and eta. The highest bit of the result is not set if a minimum of
+ * the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *
- * By Newton and Kantorovich, in maximum norms: F = (u . w, v . w) has the Jacobian -H, H = [uu r12; r12 vv], r12 = u . v - c . w;
- * beta = |H^-1|, `step` = |H^-1 F|.  In a ball of 1/6, H has the Lipschitz constant L = 4 (|u . c| + |v . c|) + c . c.  If
- * h = beta L step <= 0.2625, then there is a root within 1.19 steps, and within 0.71 h step of the exact answer, and H is positive
- * definite all the way there.
+ * By Newton and Kantorovich, in maximum norms: F = (u . w, v . w) has the Jacobian -H, H = [uu r12; r12 vv], r12 = u .
+ * v - c . w; beta = |H^-1|, `step` = |H^-1 F|. In a ball of 1/6, H has the Lipschitz constant L = 4 (|u . c| + |v . c|)
+ * + c . c. If h = beta L step <= 0.2625, then there is a root within 1.19 steps, and within 0.71 h step of the exact
+ * answer, and H is positive definite on the whole way there.
  *
- * Rounding: F is off by 7 units of U |w| + W |u|, of V |w| + W |v|, and what products of two errors make; H by 13 of rows
- * U (U + V) + C W and V (U + V) + C W; Cramer's rule adds 12, as r12^2 is no more than 1e-4 det / (2 units); L is off by 40 of
- * C (U + V + C).  `tilt` bounds |H^-1| times the errors of H: with a step they are errors of F, too.  It makes beta and errors of F
- * 1.06 times as large at most. */
+ * Rounding: F is off by 7 units of U |w| + W |u|, of V |w| + W |v|, and by products of two errors; H by 13 of rows U (U
+ * + V) + C W and V (U + V) + C W; Cramer's rule adds 12, as r12^2 is at most 1e-4 det / (2 units); L is off by 40 of C
+ * (U + V + C). `tilt` bounds |H^-1| times the errors of H; times a step, these are errors of F, too. It makes beta and
+ * errors of F at most 1.06 times as large. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_newton(const double *const *x, double promise, double *xi,
                                                                 double *eta)
 {
@@ -503,17 +500,18 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_newton(const double *co
            footpoint_detail_infinite(room + h + off + s + t) | footpoint_detail_fast();
 }
 
-/* The same, where it is seldom called. */
+/* The same, not inlined because it is seldom called. */
 FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_prove(const double *const *x, double promise, double *xi,
                                                                double *eta)
 {
     return footpoint_detail_quad4_newton(x, promise, xi, eta);
 }
 
-/* Bounds P T and Q T, times `rounding`, see footpoint_detail_quad4_step(), with |xi| and |eta| up to p and q, of Euclidean norms, by
- * Cauchy and Schwarz, of the bounds on coordinates that footpoint_detail_quad4_vectors has.  With r->rounding they bound what the
- * slopes r_xi . D and r_eta . D of vectors are off by: tangents by k + 2 units of theirs, D by k + 5 of T and another half of |a| + |b| +
- * |c|, the scalar product adds 3, and `rounding` has at least 2 k + 13. */
+/* Bounds P T and Q T, times `rounding`, see footpoint_detail_quad4_step(), for |xi| and |eta| up to p and q, in
+ * Euclidean norms, by Cauchy and Schwarz, from the bounds on coordinates that footpoint_detail_quad4_vectors has. With
+ * r->rounding they bound the errors of the slopes r_xi . D and r_eta . D of vectors: tangents are off by k + 2 units of
+ * their bounds, D by k + 5 of T and half of |a| + |b| + |c|, the scalar product adds 3, and `rounding` has at least 2 k
+ * + 13. */
 FOOTPOINT_PART void footpoint_detail_quad4_off(const double products[9],
                                                const footpoint_detail_quad4_vectors *r,
                                                double rounding, double p, double q, double *f, double *g)
@@ -530,23 +528,25 @@ FOOTPOINT_PART void footpoint_detail_quad4_off(const double products[9],
     *g = v * far;
 }
 
-/* A step of third order, of second for promises from 1e-3 on, to the foot point, by xi and eta, from products[] = a a, a b, b b,
- * a c, b c, c c, a d, b d, c d.  The highest bit of the result is not set if a minimum of the distance is proved to lie within
- * `promise` of the answer.
+/* Takes a step of third order, of second for promises from 1e-3 on, to the foot point, by xi and eta, from products[] =
+ * a a, a b, b b, a c, b c, c c, a d, b d, c d. The highest bit of the result is not set if a minimum of the distance is
+ * proved to lie within `promise` of the answer.
  *
- * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv].  Newton's step s = H^-1 F leaves N(s) of F, a
- * polynomial; x = -H^-1 N(s) is the correction.  In maximum norms, beta = |H^-1|; in a ball of 1/3 about the start H has the
- * Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + 2 c . c.  R bounds rounding.  Let h = beta L (|s| + 2 |x| + 2 R); in the ball
- * of that radius |1 - H^-1 H(y)| <= h, so that Newton's iteration with H kept contracts.  Its next correction, at most h |x| + R,
- * bounds the distance of the answer from a root within a factor of 1 / (1 - h), and H is positive definite all the way there.
- * Without the correction, |s| / 3 stands for |x|: the next one is at most beta L |s|^2 / 2 + R.
+ * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv]. Newton's step s = H^-1 F leaves
+ * N(s) of F, a polynomial; x = -H^-1 N(s) is the correction. In maximum norms, beta = |H^-1|; in a ball of 1/3 about
+ * the start H has the Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + 2 c . c. R bounds rounding. Let h = beta L
+ * (|s| + 2 |x| + 2 R). In the ball of that radius |1 - H^-1 H(y)| <= h, so Newton's iteration with H kept contracts.
+ * Its next correction, at most h |x| + R, bounds the distance of the answer from a root within a factor of 1 / (1 - h),
+ * and H is positive definite on the whole way there. Without the correction, |s| / 3 replaces |x|: the next correction
+ * is at most beta L |s|^2 / 2 + R.
  *
- * R: with P = |a| + ..., what bounds the errors of coordinates of r_xi, Q of r_eta, C of c, T of D as |d| + |xi a| + ..., the
- * products give F's row xi within k units of P T, and its polynomials add 6, H's within k + 6 units of P P and of P Q + C T.  With
- * Cramer's rule, 5 more, H s is off by (k + 11) |s| units of P (P + Q) + C T, and by N's rounding, as 2 |s| |c| is in P, 1.25 times
- * that again: in all by (k + 6) units of P T + 4 |s| (P (P + Q) + C T).  P and T of |xi| and |eta| longer by 6 |s| contain that: P
- * grows by 4 |s| C, T by 4 |s| (P + Q).  Off the finest promises a coarser bound is enough, of |s| < 1/6.  0.2, 1.4 and 1.3 leave
- * for rounding errors of beta, h and the determinant, which are 9 R at most, what 0.25 and 1 / (1 - 0.25) allow. */
+ * R: let P = |a| + ... bound the errors of coordinates of r_xi, Q of r_eta, C of c, T of D as |d| + |xi a| + .... The
+ * products yield F's row xi within k units of P T, and its polynomials add 6, H's within k + 6 units of P P and of P Q
+ * + C T. With Cramer's rule, 5 more, H s is off by (k + 11) |s| units of P (P + Q) + C T, and by N's rounding, as 2 |s|
+ * |c| is in P, 1.25 times that again: in all by (k + 6) units of P T + 4 |s| (P (P + Q) + C T). P and T for |xi| and
+ * |eta| longer by 6 |s| contain that: P grows by 4 |s| C, T by 4 |s| (P + Q). Except for the finest promises a coarser
+ * bound for |s| < 1/6 suffices. 0.2, 1.4 and 1.3 leave the margin of 0.25 and 1 / (1 - 0.25) for rounding errors of
+ * beta, h and the determinant, which are at most 9 R. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double products[9],
                                                               const footpoint_detail_quad4_vectors *r,
                                                               double promise, double *xi, double *eta)
@@ -592,8 +592,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double produ
            footpoint_detail_infinite(room) | footpoint_detail_fast();
 }
 
-/* Steps until one is proved, or they are too short to matter, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
- * these are enough. */
+/* Takes up to four steps until one is proved, or they are too short to matter, from finite xi and eta; in a loop over
+ * arrays, `fixed` = 1 or 2 steps, with the same answer if these suffice. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double products[9],
                                                                const footpoint_detail_quad4_vectors *r,
                                                                double promise, int fixed, double *xi, double *eta)
@@ -609,7 +609,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double prod
             return doubt;
         u = *xi;
         v = *eta;
-        /* as below: if the first step was that short, the second is none */
+        /* as below: if the first step was that short, the second is omitted */
         still = footpoint_detail_bits(fabs(u - p) + fabs(v - q) - 0.01 * promise);
         still |= footpoint_detail_quad4_step(products, r, promise, &u, &v);
         *xi = doubt >> 63 ? u : *xi;
@@ -624,14 +624,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double prod
         doubt = footpoint_detail_infinite(*xi + *eta) |
                 footpoint_detail_bits(fabs(*xi - u) + fabs(*eta - v) - 0.01 * promise);
     }
-    /* where products have lost too many digits, vectors have not */
+    /* if products have lost too many digits, vectors have not */
     if (promise < 1e-9 && !(footpoint_detail_infinite(*xi + *eta) >> 63))
         return footpoint_detail_quad4_prove(r->x, promise, xi, eta);
     return (unsigned long long)1 << 63;
 }
 
-/* The square of the distance at (xi,eta), of vectors with over = 1; and where gauss is not
- * NULL, the step of Gauss and Newton from there, which leads downhill. */
+/* Returns the squared distance at (xi,eta), of vectors with over = 1, and, if gauss is not NULL, computes the
+ * Gauss-Newton step from there, which leads downhill. */
 FOOTPOINT_COLD double footpoint_detail_quad4_apart(const double a[3], const double b[3], const double c[3],
                                                    const double d[3], double xi, double eta, double *gauss)
 {
@@ -655,7 +655,7 @@ FOOTPOINT_COLD double footpoint_detail_quad4_apart(const double a[3], const doub
     return footpoint_detail_dot(w, w);
 }
 
-/* Vectors as sums of edges, four times r's. */
+/* Computes the vectors as sums of edges, four times r's. */
 FOOTPOINT_COLD void footpoint_detail_quad4_edges(double y[5][3], double a[3], double b[3],
                                                  double c[3], double d[3])
 {
@@ -670,8 +670,8 @@ FOOTPOINT_COLD void footpoint_detail_quad4_edges(double y[5][3], double a[3], do
     }
 }
 
-/* From `at`, where the square of the distance is *apart, to `to`, if that is nearer; else by damped steps of Gauss and Newton, which
- * lead downhill.  0 if nothing is nearer. */
+/* Moves from `at`, where the squared distance is *apart, to `to`, if that is nearer; otherwise by damped Gauss-Newton
+ * steps, which lead downhill. Returns 0 if nothing is nearer. */
 FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const double a[3], const double b[3], const double c[3],
                                                  const double d[3], double to[2], double at[2],
                                                  double *apart)
@@ -695,11 +695,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const double a[3], const double
     return 1;
 }
 
-/* footpoint_detail_quad4_newton of vectors as footpoint_detail_quad4_edges makes them, off by 3 units of |a| + |b| + |c| (and |d|):
- * where |xi| or |eta| is large, products of both weigh nodes, but not these.
+/* Does the same as footpoint_detail_quad4_newton for vectors of footpoint_detail_quad4_edges, which are off by 3 units
+ * of |a| + |b| + |c| (and |d|). If |xi| or |eta| is large, products of both weigh nodes, but not these vectors.
  *
- * F is off by 11 units of far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of
- * any order.  The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
+ * F is off by 11 units of far (|r_xi|, |r_eta| + |D|), and the error of H counts as 8 step far in place of |D|; sums of
+ * any order. The weak inequality of `det` keeps the rounding errors of beta and h below the margins of 0.249 and
+ * 0.999. */
 FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_far(const double a[3], const double b[3],
                                                              const double c[3], const double d[3], double promise,
                                                              double *xi, double *eta)
@@ -739,8 +740,8 @@ FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_far(const double a[3], 
            footpoint_detail_infinite(room + h + off + s + t) | footpoint_detail_fast();
 }
 
-/* From (*xi,*eta) by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  y: the vectors in a unit of length in which the
- * segment is about 1 long. */
+/* Takes up to 20 steps from (*xi,*eta) until one is proved; otherwise FOOTPOINT_UNPROVED. y: the vectors in a unit of
+ * length in which the segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise, double *xi,
                                                  double *eta)
 {
@@ -774,7 +775,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise,
             at[1] = to[1];
         } else if (!footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
             break;
-        if (moved < 0.01 * promise) /* rounding forbids the proof */
+        if (moved < 0.01 * promise) /* rounding prevents the proof */
             break;
     }
     *xi = at[0];
@@ -782,8 +783,9 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise,
     return status;
 }
 
-/* The answer where a search is not good beyond doubt; promise <= 0: nothing is promised.  The search once more, as a loop takes fewer
- * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
+/* Answers if a search is not good beyond doubt; promise <= 0: nothing is promised. It repeats the search, because a
+ * loop takes fewer steps, in a unit of length in which the segment is about 1 long if it is far from that, then
+ * repairs. */
 FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
                                                  const double *const *x, int nodes, double promise,
                                                  double loc[2], double *gap)
@@ -812,7 +814,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search
         }
         g = ldexp(g, exponent);
         if ((doubt | footpoint_detail_infinite(g)) >> 63)
-            return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+            return FOOTPOINT_ERR_DEGENERATE; /* the distance overflows */
     }
     loc[0] = xi;
     loc[1] = eta;
@@ -823,7 +825,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search
 
 #ifndef FOOTPOINT_QUAD4_FROM
 #define FOOTPOINT_QUAD4_FROM
-/* r = A + s ab + t ad + s t c about (xi,eta) = (2 s - 1, 2 t - 1): u = r_s, v = r_t, c = r_st, w = xS - r. */
+/* Expands r = A + s ab + t ad + s t c about (xi,eta) = (2 s - 1, 2 t - 1): u = r_s, v = r_t, c = r_st, w = xS - r. */
 FOOTPOINT_PART void footpoint_detail_quad4_about(const double *const *x, double s, double t, double u[3],
                                                  double v[3], double c[3], double w[3])
 {
@@ -838,17 +840,17 @@ FOOTPOINT_PART void footpoint_detail_quad4_about(const double *const *x, double 
     }
 }
 
-/* Half of the squared distance about a point: slopes (f,g), the Hessian, and how that changes. */
+/* Holds the slopes (f,g) of half the squared distance at a point, its Hessian, and the Hessian's rate of change. */
 typedef struct {
     double f, g, uu, r12, vv, tu, tv, cc;
 } footpoint_detail_quad4_near;
 
-/* What bounds rounding errors, see footpoint_detail_quad4_from(): far^2; for fine promises lengths, too. */
+/* Holds bounds for rounding errors, see footpoint_detail_quad4_from(): far^2; for fine promises also lengths. */
 typedef struct {
     double square, far, u, v, w;
 } footpoint_detail_quad4_scales;
 
-/* The slopes at a step (s,t) from the point. */
+/* Computes the slopes at a step (s,t) from the point. */
 FOOTPOINT_PART void footpoint_detail_quad4_slopes(const footpoint_detail_quad4_near *r, double s,
                                                   double t, double *f, double *g)
 {
@@ -857,7 +859,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_slopes(const footpoint_detail_quad4_n
     *g = (r->g - r->r12 * s - r->vv * t) - s * ((2.0 * tv + tu) + both);
 }
 
-/* All of that. */
+/* Moves slopes, Hessian and rate of change by a step (s,t). */
 FOOTPOINT_PART footpoint_detail_quad4_near
 footpoint_detail_quad4_moved(const footpoint_detail_quad4_near *r, double s, double t)
 {
@@ -873,7 +875,7 @@ footpoint_detail_quad4_moved(const footpoint_detail_quad4_near *r, double s, dou
     return to;
 }
 
-/* (*x,*y) = adj H (f,g); the larger of their absolute values. */
+/* Computes (*x,*y) = adj H (f,g); returns the larger absolute value. */
 FOOTPOINT_PART double footpoint_detail_quad4_adjoin(const footpoint_detail_quad4_near *r, double f,
                                                     double g, double *x, double *y)
 {
@@ -882,7 +884,7 @@ FOOTPOINT_PART double footpoint_detail_quad4_adjoin(const footpoint_detail_quad4
     return footpoint_detail_greater(fabs(*x), fabs(*y));
 }
 
-/* det H times a bound on rounding errors of steps within `whole` of the start. */
+/* Returns det H times a bound on rounding errors of steps within `whole` of the start. */
 FOOTPOINT_PART double footpoint_detail_quad4_blur(const footpoint_detail_quad4_near *r, double row,
                                                   const footpoint_detail_quad4_scales *e,
                                                   double promise, double whole)
@@ -896,43 +898,57 @@ FOOTPOINT_PART double footpoint_detail_quad4_blur(const footpoint_detail_quad4_n
     return 8e-15 * (row * e->square);
 }
 
-/* Newton's step with the matrix M of `at`, which is (*s,*t) from `start` and no farther from there than `before`, and
- * with `correct` a correction through M; (*s,*t) goes along.  The highest bit of the result is not set if the end is
- * proved, see footpoint_detail_quad4_from(). */
+/* Corrects (*s,*t) through the matrix of `at`. Returns the correction's length. */
+FOOTPOINT_PART double footpoint_detail_quad4_chord(const footpoint_detail_quad4_near *start,
+                                                   const footpoint_detail_quad4_near *at, double per,
+                                                   double *s, double *t)
+{
+    double x, y, left;
+    footpoint_detail_quad4_slopes(start, *s, *t, &x, &y);
+    left = footpoint_detail_quad4_adjoin(at, x, y, &x, &y) * per;
+    *s += x * per;
+    *t += y * per;
+    return left;
+}
+
+/* Takes Newton's step with the matrix M of `at`, a correction through M if `correct`, and up to `more` corrections
+ * while the error is too large. `at` is (*s,*t) from `start`, no farther than `before`; (*s,*t) moves along. The
+ * highest bit of the result is not set if the end is proved, see footpoint_detail_quad4_from(). */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_stage(const footpoint_detail_quad4_near *start,
                                                                const footpoint_detail_quad4_near *at,
                                                                const footpoint_detail_quad4_scales *e,
-                                                               double promise, int correct, double before,
-                                                               double *s, double *t)
+                                                               double promise, int correct, int more,
+                                                               double before, double *s, double *t)
 {
     const double det = at->uu * at->vv - at->r12 * at->r12, per = 1.0 / det, mixed = fabs(at->r12);
     const double row = footpoint_detail_greater(at->uu, at->vv) + mixed, a = 2.0 * fabs(at->tu);
     const double b = 2.0 * fabs(at->tv), both = (a + b) + at->cc;
     const double turn = footpoint_detail_greater(at->vv * (a + both) + mixed * (b + both),
                                                  at->uu * (b + both) + mixed * (a + both));
-    double x, y, left, ball, off, h, error;
+    double x, y, left, ball, off, h, room, error;
     ball = footpoint_detail_quad4_adjoin(at, at->f, at->g, &x, &y) * per;
     *s += x * per;
     *t += y * per;
     left = 0.5 * ball;
-    if (correct) {
-        footpoint_detail_quad4_slopes(start, *s, *t, &x, &y);
-        left = footpoint_detail_quad4_adjoin(at, x, y, &x, &y) * per;
-        *s += x * per;
-        *t += y * per;
-    }
+    if (correct)
+        left = footpoint_detail_quad4_chord(start, at, per, s, t);
     ball += 2.0 * left;
     off = footpoint_detail_quad4_blur(at, row, e, promise, before + ball) * per;
     ball += 16.0 * off;
     h = (ball * turn + 3e-14 * (row * e->square)) * per;
+    room = footpoint_detail_greater(h, 0.6 * (before + ball));
     error = 2.61 * (h * left + off);
-    h = footpoint_detail_greater(h, 0.6 * (before + ball));
-    return footpoint_detail_above(error, promise) | footpoint_detail_above(h, 0.2) |
+    while (more-- > 0 && footpoint_detail_above(error, promise) >> 63 &&
+           !(footpoint_detail_above(room, 0.2) >> 63)) {
+        left = footpoint_detail_quad4_chord(start, at, per, s, t);
+        error = 2.61 * (h * left + off);
+    }
+    return footpoint_detail_above(error, promise) | footpoint_detail_above(room, 0.2) |
            footpoint_detail_bits(at->uu) | footpoint_detail_bits(det) |
            footpoint_detail_outside(det);
 }
 
-/* From (*s,*t) up to two such steps, each with a matrix of its own, until one is proved; seldom needed. */
+/* Takes up to two such steps from (*s,*t), each with its own matrix, until one is proved. This is seldom needed. */
 FOOTPOINT_APART unsigned long long footpoint_detail_quad4_stages(const footpoint_detail_quad4_near *start,
                                                                  const footpoint_detail_quad4_scales *e,
                                                                  double promise, double *s, double *t)
@@ -942,7 +958,7 @@ FOOTPOINT_APART unsigned long long footpoint_detail_quad4_stages(const footpoint
     for (k = 0; k < 2 && !(doubt >> 63); k++) {
         const footpoint_detail_quad4_near at = footpoint_detail_quad4_moved(start, *s, *t);
         const double before = footpoint_detail_greater(fabs(*s), fabs(*t));
-        doubt = footpoint_detail_quad4_stage(start, &at, e, promise, 1, before, s, t);
+        doubt = footpoint_detail_quad4_stage(start, &at, e, promise, 1, 0, before, s, t);
         if (!(doubt >> 63))
             return doubt;
         doubt = footpoint_detail_infinite(*s + *t);
@@ -950,27 +966,28 @@ FOOTPOINT_APART unsigned long long footpoint_detail_quad4_stages(const footpoint
     return (unsigned long long)1 << 63;
 }
 
-/* From (*xi,*eta) to the foot point, and the gap there; stages: 1 in a loop over arrays, otherwise more.  The highest
- * bit of the result is not set if a minimum of the distance is proved to lie within `promise` of the answer, which is
- * 2/3 away at most.  Any start will do, NaN too.
+/* Moves from (*xi,*eta) to the foot point and computes the gap there; stages: 1 in a loop over arrays, 2 from the end
+ * of such a step, otherwise 3. The highest bit of the result is not set if a minimum of the distance is proved to lie
+ * within `promise` of the answer, which is at most 2/3 away. Any start is allowed, also NaN.
  *
- * Newton's step and a correction through the same matrix are proved at once, which takes one quotient; fine promises
- * take a step before, as corrections through the first matrix would be many.  Where moves are large that costs a loop
- * over arrays less than doing all of it again.
+ * Newton's step and a correction through the same matrix are proved together, with one quotient. Fine promises take a
+ * step before, except from nearby, because they would need many corrections through the first matrix. If moves are
+ * large, that costs a loop over arrays less than a full repetition.
  *
- * With the slopes F and M near H^-1, z + M F(z) contracts by q = |1 - M H(z)|.  A ball about the point that M is of,
- * in which q <= h <= 0.2, holds the iterates, a root within (q |x| + R) / (1 - q) of the last one, x being the last
- * correction and R the rounding errors of |M F|, and no zero of det H.  |H(z) - H| has rows of at most |z| times
- * 4 |tu| + 2 |tv| + cc and 2 |tu| + 4 |tv| + cc, where |z| <= 1/3; `turn` bounds det |M| times these.  Newton's step is
- * the first iterate; without a correction half of it stands for |x|, as q grows from 0 with |z|.  2.61 is twice 1.3, as
- * xi = 2 s - 1; 1 / (1 - q) <= 1.25.
+ * Let F be the slopes and M a matrix near H^-1. Then z + M F(z) contracts by q = |1 - M H(z)|. Consider the ball about
+ * the point of M in which q <= h <= 0.2. It holds the iterates, and no zero of det H. It also holds a root within (q
+ * |x| + R) / (1 - q) of the last iterate, where x is the last correction and R bounds the rounding errors of |M F|.
+ * |H(z) - H| has rows of at most |z| times 4 |tu| + 2 |tv| + cc and 2 |tu| + 4 |tv| + cc, where |z| <= 1/3; `turn`
+ * bounds det |M| times these. Newton's step is the first iterate. Without a correction, half of it stands for |x|,
+ * because q grows from 0 with |z|. Each further correction is less than a fifth of the one before, so the ball holds
+ * it, too. 2.61 is twice 1.3, as xi = 2 s - 1; 1 / (1 - q) <= 1.25.
  *
- * With the lengths U, V, C, W of u, v, c, w and S >= |ab| + |ad| + |c|, let far = W + (1 + |s|) (1 + |t|) S.  In
- * units of rounding, u is off by 5 (1 + |t|) S, w by 12 far, u . w by 18 far (U + W), row s of H by 57 far^2, its
- * changes within 1/3 by 27 far^2, so that slopes at z are by 24 far (U + W + 4 |z| far), for which 30 stand, the sum
- * for xi included, and with |z| <= 1/3 70 far^2.  M differs from H^-1, and what it multiplies, by 25 far^2 |M|: q is
- * larger by |M| 3e-14 far^2 at most.  Sums of any order.  Where det is well within the range of numbers, what
- * underflows is below these bounds.
+ * Let U, V, C, W be the lengths of u, v, c, w, S >= |ab| + |ad| + |c|, and far = W + (1 + |s|) (1 + |t|) S. In units of
+ * rounding, u is off by 5 (1 + |t|) S, w by 12 far, u . w by 18 far (U + W), row s of H by 57 far^2, its changes within
+ * 1/3 by 27 far^2. So slopes at z are off by 24 far (U + W + 4 |z| far). For fine promises the code counts 30 instead
+ * of 24, including the sum for xi; for others 70 far^2, with |z| <= 1/3. M differs from H^-1, and from its use, by 25
+ * far^2 |M|: q is larger by at most |M| 3e-14 far^2. Sums may have any order. If det is well within the range of
+ * numbers, underflow is below these bounds.
  *
  * The normal at a step is u x v + s (u x c) + t (c x v), the last two of which are normal to c. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_from(const double *const *x, double promise, double least,
@@ -1007,13 +1024,13 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_from(const double *cons
     (void)least;
     if (stages > 1 && footpoint_detail_infinite(r.uu * r.vv - r.r12 * r.r12) >> 63) {
         *gap = 0.0;
-        return (unsigned long long)1 << 63; /* compilers' maxima of NaN raise exceptions */
+        return (unsigned long long)1 << 63; /* compilers' maxima raise exceptions on NaN */
     }
     footpoint_detail_cross(u, v, n);
     footpoint_detail_cross(u, c, by_s);
     footpoint_detail_cross(c, v, by_t);
     mixed = footpoint_detail_dot(c, n);
-    if (promise < (stages > 1 ? 1e-6 : 1e-4)) {
+    if (stages != 2 && promise < (stages > 1 ? 1e-6 : 1e-4)) {
         const double per = 1.0 / (r.uu * r.vv - r.r12 * r.r12);
         footpoint_detail_quad4_near at;
         double before, ds, dt;
@@ -1028,11 +1045,13 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_from(const double *cons
         }
         before = footpoint_detail_greater(fabs(s), fabs(t));
         at = footpoint_detail_quad4_moved(&r, s, t);
-        doubt = footpoint_detail_quad4_stage(
-            &r, &at, &e, promise, fine || (stages == 1 && promise < 1e-6), before, &s, &t);
+        doubt = footpoint_detail_quad4_stage(&r, &at, &e, promise,
+                                             fine || (stages == 1 && promise < 1e-6),
+                                             stages > 1 && !fine, before, &s, &t);
     } else {
         s = t = 0.0;
-        doubt = footpoint_detail_quad4_stage(&r, &r, &e, promise, 1, 0.0, &s, &t);
+        doubt =
+            footpoint_detail_quad4_stage(&r, &r, &e, promise, 1, stages > 1 ? 2 : 0, 0.0, &s, &t);
     }
     if (stages > 1 && !fine && doubt >> 63) {
         const footpoint_detail_quad4_near start = r;
@@ -1053,18 +1072,18 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_from(const double *cons
            footpoint_detail_fast();
 }
 
-/* The search from scratch. */
+/* Searches without a last answer. */
 typedef int footpoint_detail_quad4_name(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                         const double xS[3], double loc[2], double *gap);
 
-/* Whether (xi,eta) is more than half of the segment away from loc, or one of them is NaN. */
+/* Returns its highest bit set if (xi,eta) is more than half of the segment away from loc, or NaN. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_strayed(const double loc[2], double xi, double eta)
 {
     return footpoint_detail_above(xi - loc[0], 1.0) | footpoint_detail_above(eta - loc[1], 1.0);
 }
 
-/* From loc by way of (xi,eta), to which an expansion about loc has led that proved nothing: two more, then the search
- * from scratch. */
+/* Continues from (xi,eta), the unproved end of an expansion about loc: takes two more expansions, then searches without
+ * a last answer. */
 FOOTPOINT_PART int footpoint_detail_quad4_further(footpoint_detail_quad4_name *name,
                                                   const double *const *x, double promise, double least,
                                                   double xi, double eta, double loc[2], double *gap)
@@ -1072,7 +1091,7 @@ FOOTPOINT_PART int footpoint_detail_quad4_further(footpoint_detail_quad4_name *n
     double g;
     int k;
     for (k = 0; k < 2 && !(footpoint_detail_quad4_strayed(loc, xi, eta) >> 63); k++) {
-        const unsigned long long doubt = footpoint_detail_quad4_from(x, promise, least, 3, &xi, &eta, &g);
+        const unsigned long long doubt = footpoint_detail_quad4_from(x, promise, least, 2, &xi, &eta, &g);
         if (!((doubt | footpoint_detail_quad4_strayed(loc, xi, eta)) >> 63)) {
             loc[0] = xi;
             loc[1] = eta;
@@ -1083,8 +1102,8 @@ FOOTPOINT_PART int footpoint_detail_quad4_further(footpoint_detail_quad4_name *n
     return name(x[0], x[1], x[2], x[3], x[4], loc, gap);
 }
 
-/* An element of arrays of last answers in place, from which loops over arrays have led to (u,v); not inlined, as it is
- * seldom called. */
+/* Follows an element of arrays of last answers, which a loop has moved to (u,v). It is seldom called, and so not
+ * inlined. */
 FOOTPOINT_COLD void footpoint_detail_quad4_follow_one(footpoint_detail_quad4_name *name,
                                                       const double *const *x, double promise, double least,
                                                       double u, double v, double *xi, double *eta, double *gap,
@@ -1098,83 +1117,35 @@ FOOTPOINT_COLD void footpoint_detail_quad4_follow_one(footpoint_detail_quad4_nam
     *eta = loc[1];
 }
 
-/* Arrays are followed in parts: all of a part in a loop, and once more if many are not proved then. */
+/* Follows arrays in parts, each in a loop that is repeated if many answers are not proved. */
 enum { footpoint_detail_quad4_span = 64, footpoint_detail_quad4_few = 8 };
 
-FOOTPOINT_PART void footpoint_detail_quad4_from_n(footpoint_detail_quad4_name *name, size_t n,
-                                                  const double *const *x, double promise, double least,
-                                                  double *FOOTPOINT_RESTRICT xi,
-                                                  double *FOOTPOINT_RESTRICT eta,
-                                                  double *FOOTPOINT_RESTRICT gap,
-                                                  int *FOOTPOINT_RESTRICT status)
+/* Copies the vectors of pair i from the columns x. With `over`, x has the slave nodes' columns and c is the segment. */
+FOOTPOINT_PART void footpoint_detail_quad4_pair(double (*c)[3], int over, const double *const *x,
+                                                size_t i, double p[5][3])
 {
-    double u[footpoint_detail_quad4_span], v[footpoint_detail_quad4_span];
-    size_t first, i;
-    for (first = 0; first < n; first += footpoint_detail_quad4_span) {
-        const size_t m = n - first < (size_t)footpoint_detail_quad4_span
-                             ? n - first
-                             : (size_t)footpoint_detail_quad4_span;
-        int open = 0;
-        FOOTPOINT_EACH
-        for (i = first; i < first + m; i++) {
-            const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-            const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            double a = xi[i], b = eta[i], g;
-            const int doubt =
-                (int)(footpoint_detail_quad4_from(row, promise, least, 1, &a, &b, &g) >> 63);
-            u[i - first] = a;
-            v[i - first] = b;
-            gap[i] = g;
-            status[i] = FOOTPOINT_UNPROVED * doubt;
-            open += doubt;
-        }
-        if (open > footpoint_detail_quad4_few) {
-            FOOTPOINT_EACH
-            for (i = first; i < first + m; i++) {
-                const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-                const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-                const double last[2] = {xi[i], eta[i]};
-                double a = u[i - first], b = v[i - first], g;
-                const int good = status[i] == FOOTPOINT_OK;
-                const unsigned long long doubt =
-                    footpoint_detail_quad4_from(row, promise, least, 1, &a, &b, &g) |
-                    footpoint_detail_quad4_strayed(last, a, b);
-                u[i - first] = good ? u[i - first] : a;
-                v[i - first] = good ? v[i - first] : b;
-                gap[i] = good ? gap[i] : g;
-                status[i] = good ? FOOTPOINT_OK : FOOTPOINT_UNPROVED * (int)(doubt >> 63);
-            }
-        }
-        for (i = first; i < first + m; i++)
-            if (status[i] == FOOTPOINT_OK) {
-                xi[i] = u[i - first];
-                eta[i] = v[i - first];
-            } else {
-                const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-                const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-                footpoint_detail_quad4_follow_one(name, row, promise, least, u[i - first],
-                                                  v[i - first], &xi[i], &eta[i], &gap[i],
-                                                  &status[i]);
-            }
+    int k, j;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 5; k++) {
+        FOOTPOINT_UNROLL
+        for (j = 0; j < 3; j++)
+            p[k][j] = !over ? x[3 * k + j][i] : k < 4 ? c[k][j] : x[j][i];
     }
 }
 
-/* The same over one segment. */
+/* Searches n pairs or, with `over`, n slave nodes over a segment, which is copied so that no result can change it. */
 FOOTPOINT_PART void
-footpoint_detail_quad4_from_over_n(footpoint_detail_quad4_name *name, const double *const *segment,
-                                   size_t n, const double *const *x, double promise, double least,
-                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+footpoint_detail_quad4_from_n(footpoint_detail_quad4_name *name, int over, const double *const *segment,
+                              size_t n, const double *const *x, double promise, double least,
+                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     double c[4][3], u[footpoint_detail_quad4_span], v[footpoint_detail_quad4_span];
     size_t first, i;
     int j, k;
     for (k = 0; k < 4; k++)
         for (j = 0; j < 3; j++)
-            c[k][j] = segment[k][j];
+            c[k][j] = over ? segment[k][j] : 0.0;
     for (first = 0; first < n; first += footpoint_detail_quad4_span) {
         const size_t m = n - first < (size_t)footpoint_detail_quad4_span
                              ? n - first
@@ -1182,10 +1153,11 @@ footpoint_detail_quad4_from_over_n(footpoint_detail_quad4_name *name, const doub
         int open = 0;
         FOOTPOINT_EACH
         for (i = first; i < first + m; i++) {
-            const double slave[3] = {x[0][i], x[1][i], x[2][i]};
-            const double *const row[5] = {c[0], c[1], c[2], c[3], slave};
-            double a = xi[i], b = eta[i], g;
-            const int doubt =
+            double p[5][3], a = xi[i], b = eta[i], g;
+            const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+            int doubt;
+            footpoint_detail_quad4_pair(c, over, x, i, p);
+            doubt =
                 (int)(footpoint_detail_quad4_from(row, promise, least, 1, &a, &b, &g) >> 63);
             u[i - first] = a;
             v[i - first] = b;
@@ -1196,14 +1168,14 @@ footpoint_detail_quad4_from_over_n(footpoint_detail_quad4_name *name, const doub
         if (open > footpoint_detail_quad4_few) {
             FOOTPOINT_EACH
             for (i = first; i < first + m; i++) {
-                const double slave[3] = {x[0][i], x[1][i], x[2][i]};
-                const double *const row[5] = {c[0], c[1], c[2], c[3], slave};
+                double p[5][3], a = u[i - first], b = v[i - first], g;
+                const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
                 const double last[2] = {xi[i], eta[i]};
-                double a = u[i - first], b = v[i - first], g;
                 const int good = status[i] == FOOTPOINT_OK;
-                const unsigned long long doubt =
-                    footpoint_detail_quad4_from(row, promise, least, 1, &a, &b, &g) |
-                    footpoint_detail_quad4_strayed(last, a, b);
+                unsigned long long doubt;
+                footpoint_detail_quad4_pair(c, over, x, i, p);
+                doubt = footpoint_detail_quad4_from(row, promise, least, 1, &a, &b, &g) |
+                        footpoint_detail_quad4_strayed(last, a, b);
                 u[i - first] = good ? u[i - first] : a;
                 v[i - first] = good ? v[i - first] : b;
                 gap[i] = good ? gap[i] : g;
@@ -1215,8 +1187,9 @@ footpoint_detail_quad4_from_over_n(footpoint_detail_quad4_name *name, const doub
                 xi[i] = u[i - first];
                 eta[i] = v[i - first];
             } else {
-                const double slave[3] = {x[0][i], x[1][i], x[2][i]};
-                const double *const row[5] = {c[0], c[1], c[2], c[3], slave};
+                double p[5][3];
+                const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+                footpoint_detail_quad4_pair(c, over, x, i, p);
                 footpoint_detail_quad4_follow_one(name, row, promise, least, u[i - first],
                                                   v[i - first], &xi[i], &eta[i], &gap[i],
                                                   &status[i]);
@@ -1246,8 +1219,8 @@ FOOTPOINT_PART void footpoint_detail_quad4_n(footpoint_detail_quad4_search *sear
     }
 }
 
-/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
- * doubt is searched in full behind the loop. */
+/* Searches with statuses. p: the vectors, the first `nodes` of which another unit of length changes. Answers that are
+ * not good beyond doubt are searched in full after the loop. */
 FOOTPOINT_PART void footpoint_detail_quad4_full(footpoint_detail_search *search,
                                                 const double *const *row, int nodes, double promise,
                                                 double *xi, double *eta, double *gap, int *status)
@@ -1258,37 +1231,6 @@ FOOTPOINT_PART void footpoint_detail_quad4_full(footpoint_detail_search *search,
     *status = footpoint_detail_quad4_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
-}
-
-FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *search, size_t n,
-                                                     const double *const *x, int nodes, double promise,
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT gap,
-                                                     int *FOOTPOINT_RESTRICT status)
-{
-    const double zero = footpoint_detail_zero();
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, zero, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    for (i = 0; i < n; i++)
-        if (status[i] != FOOTPOINT_OK) {
-            const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-            const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
-                                        &status[i]);
-        } else
-            status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
 }
 
 /* Searches slave nodes x over a segment, copied to c, which no result can change, so that its own values are computed once. */
@@ -1326,6 +1268,658 @@ footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *con
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_BITS_F
+#define FOOTPOINT_DETAIL_BITS_F
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_bits(float x)
+{
+    union {
+        float number;
+        unsigned int bits;
+    } both;
+    both.number = x;
+    return both.bits;
+}
+
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
+FOOTPOINT_PART float footpoint_detail_f_zero(void)
+{
+    const volatile int zero = 0;
+    return (float)zero;
+}
+
+/* Tests that not 2^-96 <= |x| < 2^32: room for products of the parts of x, and half of all exponents. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_outside(float x)
+{
+    return 2 * footpoint_detail_f_bits(x) - ((unsigned int)31 << 24);
+}
+
+/* Tests |x| < least. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_below(float x, float least)
+{
+    return (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1) - footpoint_detail_f_bits(least);
+}
+
+/* Tests |x| > most, or NaN. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_above(float x, float most)
+{
+    return footpoint_detail_f_bits(most) - (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1);
+}
+
+/* Tests that x is infinite or NaN. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_infinite(float x)
+{
+    return (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1) + ((unsigned int)1 << (24 - 1));
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_PRODUCTS_F
+#define FOOTPOINT_DETAIL_PRODUCTS_F
+FOOTPOINT_PART void footpoint_detail_f_from(const float a[3], const float b[3], float d[3])
+{
+    d[0] = b[0] - a[0];
+    d[1] = b[1] - a[1];
+    d[2] = b[2] - a[2];
+}
+
+FOOTPOINT_PART void footpoint_detail_f_cross(const float a[3], const float b[3], float c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+FOOTPOINT_PART float footpoint_detail_f_dot(const float a[3], const float b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_BOUNDS_F
+#define FOOTPOINT_DETAIL_BOUNDS_F
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
+{
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return (unsigned int)1 << 31;
+#else
+    return 0;
+#endif
+}
+
+/* Returns the greater number; a comparison with NaN raises no exception. */
+FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(a, b) ? a : b;
+#else
+    return a > b ? a : b;
+#endif
+}
+
+/* Returns the sum of the absolute values. */
+FOOTPOINT_PART float footpoint_detail_f_sum(const float a[3])
+{
+    return fabsf(a[0]) + fabsf(a[1]) + fabsf(a[2]);
+}
+
+/* Returns the scalar product of a, >= 0, and |b|. */
+FOOTPOINT_PART float footpoint_detail_f_weigh(const float a[3], const float b[3])
+{
+    return a[0] * fabsf(b[0]) + a[1] * fabsf(b[1]) + a[2] * fabsf(b[2]);
+}
+
+/* Not less than the root of x >= 0, and at most 1.061f times that: half of its exponent, as logarithms have it. */
+FOOTPOINT_PART float footpoint_detail_f_root_bound(float x)
+{
+    union {
+        float number;
+        unsigned int bits;
+    } both;
+    both.bits = (footpoint_detail_f_bits(x) >> 1) + (footpoint_detail_f_bits(1.0f) >> 1);
+    return both.number;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_BLOCK
+#define FOOTPOINT_QUAD4_BLOCK
+enum { footpoint_detail_quad4_side = 32 }; /* pairs at a time */
+
+/* Holds values of pairs. `vector` has a, b, c and d, with 4 r = c0 + xi a + eta b + xi eta c and d = 4 xS - c0;
+ * `narrow` has them rounded. `product` has a a, a b, b b, a c, b c, c c, a d, b d, c d, d d in a unit of length in
+ * which the absolute values of the coordinates of a and b add up to 1 to 4. `square` changes products of lengths to
+ * that unit. Steps in single precision end at (p,q); the answer is (xi,eta). Slopes f and g, or `slope`, and a11 to
+ * `flat` prove it: see footpoint_detail_f_quad4_side_bound. A pair is not proved if the highest bit of `doubt` or `wide`
+ * is set. */
+typedef struct {
+    double x[15][footpoint_detail_quad4_side];
+    double vector[4][3][footpoint_detail_quad4_side], square[footpoint_detail_quad4_side];
+    double xi[footpoint_detail_quad4_side], eta[footpoint_detail_quad4_side];
+    double f[footpoint_detail_quad4_side], g[footpoint_detail_quad4_side];
+    double gap[footpoint_detail_quad4_side];
+    float narrow[4][3][footpoint_detail_quad4_side], product[10][footpoint_detail_quad4_side];
+    float p[footpoint_detail_quad4_side], q[footpoint_detail_quad4_side], slope[2][footpoint_detail_quad4_side];
+    float a11[footpoint_detail_quad4_side], a12[footpoint_detail_quad4_side];
+    float a22[footpoint_detail_quad4_side], most[footpoint_detail_quad4_side];
+    float turn[footpoint_detail_quad4_side], off[footpoint_detail_quad4_side], bend[footpoint_detail_quad4_side], flat[footpoint_detail_quad4_side];
+    unsigned int doubt[footpoint_detail_quad4_side], wide[footpoint_detail_quad4_side];
+} footpoint_detail_quad4_block;
+
+/* Computes a, b, c and d from columns x. In units of rounding of their coordinates, a is off by 2 |a| + |c|, b by |a| +
+ * 2 |b| + 3 |c|, c by |a| + 2 |c|, d by 4 |a| + 3 |b| + 6 |c| + 3 |d|. */
+FOOTPOINT_APART void footpoint_detail_quad4_side_narrow(const double *const *x,
+                                                        footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    int l, i, k;
+    for (i = 0; i < 3; i++) {
+        const double *const xa = x[i], *const xb = x[3 + i], *const xc = x[6 + i];
+        const double *const xd = x[9 + i], *const xs = x[12 + i];
+        FOOTPOINT_EACH
+        for (l = 0; l < footpoint_detail_quad4_side; l++) {
+            const double ab = xb[l] - xa[l], dc = xc[l] - xd[l], c = dc - ab;
+            const double b = 2.0 * (xd[l] - xa[l]) + c;
+            const double all[4] = {ab + dc, b, c, (4.0 * (xs[l] - xa[l]) - b) - 2.0 * ab};
+            FOOTPOINT_WHOLE
+            for (k = 0; k < 4; k++) {
+                t->vector[k][i][l] = all[k];
+                t->narrow[k][i][l] = (float)all[k];
+            }
+        }
+    }
+}
+
+/* Computes 1 / sqrt(x) of ordinary x. It avoids sqrt if that may set errno, because then loops would not vectorise. */
+FOOTPOINT_PART double footpoint_detail_quad4_side_root(double x)
+{
+#if defined(__NO_MATH_ERRNO__) || !defined(__GNUC__)
+    return 1.0 / sqrt(x);
+#else
+    union {
+        double number;
+        unsigned long long bits;
+    } y;
+    const double half = 0.5 * x;
+    double e;
+    y.bits = 0x5fe6eb50c7b537a9ull - footpoint_detail_bits(x) / 2;
+    y.number *= 1.5 - half * (y.number * y.number);
+    y.number *= 1.5 - half * (y.number * y.number);
+    e = 0.5 - half * (y.number * y.number);
+    return y.number + y.number * e * (1.0 + 1.5 * e);
+#endif
+}
+
+/* Computes the slopes and the gap at (xi,eta), if they are asked for. Slopes are f = r_xi . D and g = r_eta . D with D
+ * = xS - r, times 16 and in the unit of products.
+ *
+ * Let P = 1 + |xi|, Q = 1 + |eta| and far = |d| + P Q (|a| + |b| + |c|). In units of rounding, 4 r_xi is off by 4 Q
+ * (|a| + |c|), 4 r_eta by P (|a| + 4 |b| + 4 |c|), 4 D by 6 far, f by 13 far Q (|a| + |c|), and g by 13 far P (0.08 |a|
+ * + |b| + |c|). */
+FOOTPOINT_PART void footpoint_detail_quad4_side_place(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t, int slopes,
+                                                      int gap)
+{
+    int l, i;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+        const double xi = t->xi[l], eta = t->eta[l], square = t->square[l];
+        double u[3], v[3], w[3], n[3];
+        FOOTPOINT_WHOLE
+        for (i = 0; i < 3; i++) {
+            u[i] = t->vector[0][i][l] + eta * t->vector[2][i][l];
+            v[i] = t->vector[1][i][l] + xi * t->vector[2][i][l];
+            w[i] = (t->vector[3][i][l] - xi * t->vector[0][i][l]) - eta * v[i];
+        }
+        if (slopes) {
+            t->f[l] = footpoint_detail_dot(u, w) * square;
+            t->g[l] = footpoint_detail_dot(v, w) * square;
+        }
+        if (gap) {
+            footpoint_detail_cross(u, v, n);
+            t->gap[l] = 0.25 * footpoint_detail_dot(w, n) *
+                        footpoint_detail_quad4_side_root(footpoint_detail_dot(n, n));
+        }
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_quad4_side_slopes(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_quad4_side_place(t, 1, 0);
+}
+
+FOOTPOINT_APART void footpoint_detail_quad4_side_gaps(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_quad4_side_place(t, 0, 1);
+}
+
+FOOTPOINT_APART void footpoint_detail_quad4_side_slopes_and_gaps(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_quad4_side_place(t, 1, 1);
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_SIDE_F
+#define FOOTPOINT_QUAD4_SIDE_F
+/* Computes products. Sets doubt if the unit of length is out of range. */
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_products(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    int l, i, k;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+        float a[4][3], size, per;
+        union {
+            unsigned int bits;
+            float number;
+        } unit;
+        FOOTPOINT_WHOLE
+        for (k = 0; k < 4; k++) {
+            FOOTPOINT_WHOLE
+            for (i = 0; i < 3; i++)
+                a[k][i] = t->narrow[k][i][l];
+        }
+        size = footpoint_detail_f_sum(a[0]) + footpoint_detail_f_sum(a[1]);
+        unit.bits = 0x7f000000u - (footpoint_detail_f_bits(size) & 0x7f000000u);
+        per = unit.number;
+        FOOTPOINT_WHOLE
+        for (k = 0; k < 4; k++) {
+            FOOTPOINT_WHOLE
+            for (i = 0; i < 3; i++)
+                a[k][i] *= per;
+        }
+        t->square[l] = (double)per * (double)per;
+        t->doubt[l] = footpoint_detail_f_bits(size - 1e-25f) | footpoint_detail_f_bits(1e30f - size) |
+                      footpoint_detail_f_fast();
+        t->product[0][l] = footpoint_detail_f_dot(a[0], a[0]);
+        t->product[1][l] = footpoint_detail_f_dot(a[0], a[1]);
+        t->product[2][l] = footpoint_detail_f_dot(a[1], a[1]);
+        FOOTPOINT_WHOLE
+        for (k = 0; k < 3; k++) {
+            t->product[3 + k][l] = footpoint_detail_f_dot(a[k], a[2]);
+            t->product[6 + k][l] = footpoint_detail_f_dot(a[k], a[3]);
+        }
+        t->product[9][l] = footpoint_detail_f_dot(a[3], a[3]);
+    }
+}
+
+/* Holds values at (p,q): products e, tu = r_xi . c, tv = r_eta . c, y = r_xi . r_eta - a . b, and the Hessian [r11 r12;
+ * r12 r22] of half the squared distance. */
+typedef struct {
+    float e[10], p, q, tu, tv, y, r11, r22, r12;
+} footpoint_detail_f_quad4_side_bend;
+
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_visit(const footpoint_detail_quad4_block *t, int l,
+                                                        footpoint_detail_f_quad4_side_bend *h)
+{
+    int k;
+    FOOTPOINT_WHOLE
+    for (k = 0; k < 10; k++)
+        h->e[k] = t->product[k][l];
+    h->p = t->p[l];
+    h->q = t->q[l];
+    h->tu = h->e[3] + h->q * h->e[5];
+    h->tv = h->e[4] + h->p * h->e[5];
+    h->y = h->p * h->e[3] + h->q * h->tv;
+    h->r11 = h->e[0] + h->q * (h->e[3] + h->tu);
+    h->r22 = h->e[2] + h->p * (h->e[4] + h->tv);
+    h->r12 = (h->e[1] - h->e[8]) + (h->y + h->y);
+}
+
+/* Starts at the projection of the slave node on the parallelogram of the mid-lines, corrected for c to first order. */
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_begin(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+        const float aa = t->product[0][l], ab = t->product[1][l], bb = t->product[2][l];
+        const float ac = t->product[3][l], bc = t->product[4][l], ad = t->product[6][l];
+        const float bd = t->product[7][l], per = 1.0f / (aa * bb - ab * ab);
+        const float p = (bb * ad - ab * bd) * per, q = (aa * bd - ab * ad) * per, pq = p * q * per;
+        t->p[l] = p - (bb * ac - ab * bc) * pq;
+        t->q[l] = q - (aa * bc - ab * ac) * pq;
+    }
+}
+
+/* Takes a Gauss-Newton step or a Newton step. */
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_step(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t, int gauss)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+        footpoint_detail_f_quad4_side_bend h;
+        float r12, z, f, g, per;
+        footpoint_detail_f_quad4_side_visit(t, l, &h);
+        r12 = gauss ? h.e[1] + h.y : h.r12;
+        z = gauss ? h.e[8] : h.y;
+        f = h.e[6] + h.q * (z + h.p * h.tu);
+        g = h.e[7] + h.p * (z + h.q * h.tv);
+        per = 1.0f / (h.r11 * h.r22 - r12 * r12);
+        t->p[l] = (h.r22 * f - r12 * g) * per;
+        t->q[l] = (h.r11 * g - r12 * f) * per;
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_gauss(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_f_quad4_side_step(t, 1);
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_newton(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_f_quad4_side_step(t, 0);
+}
+
+/* Returns the greater of two numbers >= 0, or NaN. It compares bits, because vector instructions for maxima raise
+ * exceptions of NaN. */
+FOOTPOINT_PART float footpoint_detail_f_quad4_side_greater(float a, float b)
+{
+    union {
+        unsigned int bits;
+        float number;
+    } most;
+    const unsigned int x = footpoint_detail_f_bits(a), y = footpoint_detail_f_bits(b);
+    most.bits = x > y ? x : y;
+    return most.number;
+}
+
+/* Moves the answer by A (f,g).  See footpoint_detail_f_quad4_side_bound. */
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_correct(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t, int l,
+                                                          float f,
+                                                          float g, float promise)
+{
+    const float s1 = t->a11[l] * f, s2 = t->a12[l] * g, t1 = t->a12[l] * f, t2 = t->a22[l] * g;
+    const float sum = footpoint_detail_f_quad4_side_greater(fabsf(s1) + fabsf(s2), fabsf(t1) + fabsf(t2));
+    const float off = 5.0f * 6e-8f * sum + t->off[l];
+    const float step = footpoint_detail_f_quad4_side_greater(fabsf(s1 + s2), fabsf(t1 + t2)) + off;
+    const float h = t->most[l] + t->turn[l] * step;
+    const float room = 0.999f * promise - 4e-15f - (1.3f * h * step + 1.01f * off);
+    t->xi[l] += (double)(s1 + s2);
+    t->eta[l] += (double)(t1 + t2);
+    t->most[l] = h;
+    t->doubt[l] |= footpoint_detail_f_bits(0.08f - step) | footpoint_detail_f_bits(0.199f - h) |
+                   footpoint_detail_f_bits(t->flat[l] - t->bend[l] * step);
+    t->wide[l] = footpoint_detail_f_bits(room) | footpoint_detail_f_infinite(room);
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_corrections(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                               float promise)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad4_side; l++)
+        footpoint_detail_f_quad4_side_correct(t, l, (float)t->f[l], (float)t->g[l], promise);
+}
+
+/* Computes at (p,q) values that prove corrections, and F = (f,g) in single precision if `rough`.
+ *
+ * F has the Jacobian -H.  T(y) = y + A F(y), A being H^-1 as computed at (p,q), has the derivative 1 - A H(y).  In a ball of 5/4 step
+ * about (p,q), in maximum norms, that is at most h = most + |A| L 5/4 step: `most` bounds |1 - A H(p,q)|, L is a Lipschitz constant
+ * of H within 2/3, `step` bounds |A F(p,q)|.  If h <= 1/5, then T contracts in that ball, and a root lies there, within
+ * 5/4 h step of T(p,q).  The same holds for a second correction from there with the same A.  Rounding of F adds `off`, of the
+ * products of A and F 3 units of the sum of their absolute values, where 5 are counted.  H is positive definite at the root: A is,
+ * and so is every matrix on the way from its inverse to H.
+ *
+ * Rounding errors in units of single precision: let U = |a| + |q c|, V = |b| + |p c|, T = |d| + |p a| + |q| V and W = U
+ * V + |c| T. Then r11 is off by 11 U U, r12 by 11 W, r22 by 11 V V. Entries of A add 2 units of H, their divisor adds
+ * 5, so `most` needs 18 units of |A| |H|; the code counts 22. r_xi . c is off by 8 |c| U, which L includes. F is off by
+ * 14 U T and 14 V T. In double, F is off by 13 units of the bounds here at the point where it is computed, and by 17 at
+ * a second correction, up to 1 / 12 away.
+ *
+ * Vectors are rounded in double, d by at most 6 units of |a| + |b| + |c|, for which T has 1e-9f of that sum.  Through T, `most`,
+ * `turn` and `off` then prove nothing if |c| exceeds about 5e4f U, and what is left fits into the slack of 14 and 22.  Where F is
+ * in double, `off` counts |c| itself.  If tiny numbers are flushed to zero, coordinates lose 1.2e-38f, so the face must be 1e-25f long.
+ * A correction turns the normal u x v by at most |c| (U + V) step, which is less than a third of its length each time. */
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_bound(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                        int rough)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+        footpoint_detail_f_quad4_side_bend h;
+        float x, y, r12, det, per, a, b, c, d, U, V, T, W, bend, off, row, column;
+        footpoint_detail_f_quad4_side_visit(t, l, &h);
+        x = fabsf(h.p);
+        y = fabsf(h.q);
+        r12 = fabsf(h.r12);
+        det = h.r11 * h.r22 - h.r12 * h.r12;
+        per = 1.0f / det;
+        a = footpoint_detail_f_root_bound(h.e[0]);
+        b = footpoint_detail_f_root_bound(h.e[2]);
+        c = footpoint_detail_f_root_bound(h.e[5]);
+        d = footpoint_detail_f_root_bound(h.e[9]);
+        U = a + y * c;
+        V = b + x * c;
+        T = d + x * a + y * V + 1e-9f * (a + b + c); /* vectors are rounded in double */
+        W = U * V + c * T;
+        row = U * U + W;
+        column = V * V + W;
+        t->most[l] = 22.0f * 6e-8f * per *
+                     footpoint_detail_f_quad4_side_greater(h.r22 * row + r12 * column,
+                                                           r12 * row + h.r11 * column);
+        bend = c * (U + V);
+        t->bend[l] = bend;
+        t->turn[l] = 1.25f * per * (footpoint_detail_f_quad4_side_greater(h.r11, h.r22) + r12) *
+                     (4.0f * (fabsf(h.tu) + fabsf(h.tv)) + 2.0f * h.e[5] + 32.0f * 6e-8f * bend);
+        if (rough) {
+            const float z = (h.e[1] - h.e[8]) + h.y;
+            t->slope[0][l] = (h.e[6] - h.p * (h.e[0] + h.q * h.e[3])) - h.q * z;
+            t->slope[1][l] = (h.e[7] - h.q * (h.e[2] + h.p * h.e[4])) - h.p * z;
+            off = 14.0f * 6e-8f * per * T;
+            row = U;
+            column = V;
+        } else {
+            const float above = 1.0f + x, beside = 1.0f + y;
+            off = 18.0f * 1.12e-16f * per * (d + above * beside * (a + b + c));
+            row = beside * (a + c);
+            column = above * (b + c + 0.08f * a);
+        }
+        t->off[l] = off * footpoint_detail_f_quad4_side_greater(h.r22 * row + r12 * column,
+                                                                r12 * row + h.r11 * column);
+        t->a11[l] = h.r22 * per;
+        t->a12[l] = -(h.r12 * per);
+        t->a22[l] = h.r11 * per;
+        a = h.e[1] + h.y;
+        b = h.r11 * h.r22;
+        a = b - a * a;
+        b *= 1e-3f;
+        t->flat[l] = 0.3f * footpoint_detail_f_root_bound(a);
+        t->doubt[l] |= footpoint_detail_f_bits(det - b) | footpoint_detail_f_bits(a - b) |
+                       footpoint_detail_f_bits(h.r11) | footpoint_detail_f_bits(1e6f - h.e[9]) |
+                       footpoint_detail_f_bits(1e8f * h.e[0] - h.e[2]) |
+                       footpoint_detail_f_bits(1e8f * h.e[2] - h.e[0]) |
+                       footpoint_detail_f_bits(30.0f - footpoint_detail_f_quad4_side_greater(x, y));
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_bounds(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    int l;
+    footpoint_detail_f_quad4_side_bound(t, 0);
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+        t->xi[l] = (double)t->p[l];
+        t->eta[l] = (double)t->q[l];
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_rough(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                         float promise)
+{
+    int l;
+    footpoint_detail_f_quad4_side_bound(t, 1);
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+        t->xi[l] = (double)t->p[l];
+        t->eta[l] = (double)t->q[l];
+        footpoint_detail_f_quad4_side_correct(t, l, t->slope[0][l], t->slope[1][l], promise);
+    }
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_RUN
+#define FOOTPOINT_QUAD4_RUN
+/* Copies columns into a block that is not full, and repeats the last pair to fill it. */
+FOOTPOINT_COLD void footpoint_detail_quad4_side_fill(footpoint_detail_quad4_block *t, const double **x, int count)
+{
+    int k, l;
+    for (k = 0; k < 15; k++) {
+        for (l = 0; l < footpoint_detail_quad4_side; l++)
+            t->x[k][l] = x[k][l < count ? l : count - 1];
+        x[k] = t->x[k];
+    }
+}
+
+/* Takes as many steps as the promise needs, or `more` from their end, and proves the last. */
+FOOTPOINT_PART void footpoint_detail_quad4_side_steps(footpoint_detail_quad4_block *t, double promise, int more)
+{
+    footpoint_detail_f_quad4_side_products(t);
+    if (!more) {
+        footpoint_detail_f_quad4_side_begin(t);
+        footpoint_detail_f_quad4_side_gauss(t);
+    }
+    if (!more && promise > 0.99e-3) {
+        footpoint_detail_f_quad4_side_rough(t, (float)promise);
+        footpoint_detail_quad4_side_gaps(t);
+        return;
+    }
+    footpoint_detail_f_quad4_side_newton(t);
+    footpoint_detail_f_quad4_side_bounds(t);
+    if (more || promise < 0.99e-7) {
+        footpoint_detail_quad4_side_slopes(t);
+        footpoint_detail_f_quad4_side_corrections(t, (float)promise);
+    }
+    footpoint_detail_quad4_side_slopes_and_gaps(t);
+    footpoint_detail_f_quad4_side_corrections(t, (float)promise);
+}
+
+/* Stores answers. Returns an upper bound on the number of unproved answers. */
+FOOTPOINT_PART int footpoint_detail_quad4_side_store(const footpoint_detail_quad4_block *t, int count,
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    unsigned long long infinite = 0;
+    unsigned int unproved = 0;
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < count; l++) {
+        xi[l] = t->xi[l];
+        eta[l] = t->eta[l];
+        gap[l] = t->gap[l];
+        infinite |= footpoint_detail_infinite(t->gap[l]);
+    }
+    FOOTPOINT_EACH
+    for (l = 0; l < count; l++) {
+        status[l] = FOOTPOINT_OK;
+        unproved += (t->doubt[l] | t->wide[l]) >> 31;
+    }
+    return (int)unproved + (int)(infinite >> 63);
+}
+
+/* Returns 0 if an answer is proved. */
+FOOTPOINT_PART int footpoint_detail_quad4_side_fails(const footpoint_detail_quad4_block *t, int l)
+{
+    return (t->doubt[l] | t->wide[l]) >> 31 || footpoint_detail_infinite(t->gap[l]) >> 63;
+}
+
+/* Takes more steps. Stores answers of `failed` pairs that these prove, which then no longer count as failed. */
+FOOTPOINT_COLD void footpoint_detail_quad4_side_again(footpoint_detail_quad4_block *t, double promise, int *failed,
+                                                      int count, double *xi, double *eta,
+                                                      double *gap)
+{
+    int l;
+    footpoint_detail_quad4_side_steps(t, promise, 1);
+    for (l = 0; l < count; l++)
+        if (failed[l] && !footpoint_detail_quad4_side_fails(t, l)) {
+            xi[l] = t->xi[l];
+            eta[l] = t->eta[l];
+            gap[l] = t->gap[l];
+            failed[l] = 0;
+        }
+}
+
+/* Searches `failed` pairs one by one. */
+FOOTPOINT_COLD void footpoint_detail_quad4_side_mend(footpoint_detail_search *search, int nodes,
+                                                     const int *failed, const double *const *x,
+                                                     int count, double promise, double *xi,
+                                                     double *eta, double *gap, int *status)
+{
+    int i;
+    for (i = 0; i < count; i++)
+        if (failed[i]) {
+            const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+            const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+            double u, v, g;
+            if (search(row, 2, 0.0, &u, &v, &g) >> 63)
+                footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                            &status[i]);
+            else {
+                xi[i] = u;
+                eta[i] = v;
+                gap[i] = g;
+                status[i] = FOOTPOINT_OK;
+            }
+        }
+}
+
+/* Repairs unproved answers. If many failed, it first takes more steps, unless rounding forbids most proofs. */
+FOOTPOINT_COLD void footpoint_detail_quad4_side_repair(footpoint_detail_search *search, int nodes,
+                                                       footpoint_detail_quad4_block *t, int unproved,
+                                                       const double *const *x, int count,
+                                                       double promise, double *xi, double *eta,
+                                                       double *gap, int *status)
+{
+    int failed[footpoint_detail_quad4_side], l;
+    for (l = 0; l < count; l++)
+        failed[l] = unproved > count || footpoint_detail_quad4_side_fails(t, l);
+    if (unproved > 3 && unproved <= count && promise > 0.99e-9)
+        footpoint_detail_quad4_side_again(t, promise, failed, count, xi, eta, gap);
+    footpoint_detail_quad4_side_mend(search, nodes, failed, x, count, promise, xi, eta, gap, status);
+}
+
+/* Searches n pairs. A few are searched one by one, which is faster. */
+FOOTPOINT_APART void footpoint_detail_quad4_side_run(footpoint_detail_search *search, int nodes,
+                                                     size_t n, const double *const *x,
+                                                     double promise, double *xi, double *eta,
+                                                     double *gap, int *status)
+{
+    enum { FEW = 8 };
+    const double *column[15];
+    footpoint_detail_quad4_block t;
+    size_t i;
+    int k;
+    for (i = 0; i < n; i += footpoint_detail_quad4_side) {
+        const int count = n - i < footpoint_detail_quad4_side ? (int)(n - i) : footpoint_detail_quad4_side;
+        double *const u = xi + i, *const v = eta + i, *const g = gap + i;
+        int unproved = footpoint_detail_quad4_side + 1; /* none has been searched */
+        for (k = 0; k < 15; k++)
+            column[k] = x[k] + i;
+        if (count >= FEW) {
+            if (count < footpoint_detail_quad4_side)
+                footpoint_detail_quad4_side_fill(&t, column, count);
+            footpoint_detail_quad4_side_narrow(column, &t);
+            footpoint_detail_quad4_side_steps(&t, promise, 0);
+            unproved = count == footpoint_detail_quad4_side
+                           ? footpoint_detail_quad4_side_store(&t, footpoint_detail_quad4_side, u, v, g, status + i)
+                           : footpoint_detail_quad4_side_store(&t, count, u, v, g, status + i);
+        }
+        if (unproved)
+            footpoint_detail_quad4_side_repair(search, nodes, &t, unproved, column, count, promise,
+                                               u, v, g, status + i);
+    }
+}
+
+FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *search, size_t n,
+                                                     const double *const *x, int nodes,
+                                                     double promise, double *xi, double *eta,
+                                                     double *gap, int *status)
+{
+    footpoint_detail_quad4_side_run(search, nodes, n, x, promise, xi, eta, gap, status);
+}
+#endif
+
 #ifndef FOOTPOINT_DETAIL_CLOSEST
 #define FOOTPOINT_DETAIL_CLOSEST
 /* Returns 1 if x > 0 and 0 if x < 0, to choose between two values without a branch, which would keep loops from
@@ -1339,19 +1933,6 @@ FOOTPOINT_PART double footpoint_detail_step(double x)
 FOOTPOINT_PART double footpoint_detail_either(double step, double a, double b)
 {
     return (1.0 - step) * a + step * b;
-}
-
-/* Returns the margin by which the squared distance dd of a point inside may exceed the squared distance of a point of an edge, so that
- * the inner point is still taken: the rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta within rounding.
- * Otherwise no foot point lies there, and dd must be less by as much. */
-FOOTPOINT_PART double footpoint_detail_leeway(const double u[3], const double v[3], const double d[3],
-                                              double dd, double size)
-{
-    const double ud = footpoint_detail_dot(u, d), vd = footpoint_detail_dot(v, d);
-    const double tilt = 4e-16 * dd + 1e-29 * size;
-    const double over = tilt * footpoint_detail_dot(u, u) - ud * ud;
-    const double other = tilt * footpoint_detail_dot(v, v) - vd * vd;
-    return copysign(4e-16 * (dd + size), other < over ? other : over);
 }
 
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
@@ -1412,26 +1993,6 @@ FOOTPOINT_PART double footpoint_detail_square_middle(void)
 FOOTPOINT_PART double footpoint_detail_triangle_middle(void)
 {
     return 1.0 / 3.0;
-}
-
-/* Keeps the end `to` of a step from (xi,eta) = at within the range of xi and eta, at least a tenth of the way off the edge. */
-FOOTPOINT_PART void footpoint_detail_square_clamp(const double at[2], double to[2])
-{
-    int i;
-    for (i = 0; i < 2; i++) {
-        const double least = 0.1 * (1.0 + at[i]) - 1.0, most = 1.0 - 0.1 * (1.0 - at[i]);
-        to[i] = to[i] < least ? least : to[i] > most ? most : to[i];
-    }
-}
-
-FOOTPOINT_PART void footpoint_detail_triangle_clamp(const double at[2], double to[2])
-{
-    const double over = 0.5 * (to[0] + to[1] - 1.0 + 0.1 * (1.0 - at[0] - at[1]));
-    int i;
-    for (i = 0; i < 2; i++) {
-        to[i] -= over > 0.0 ? over : 0.0;
-        to[i] = to[i] < 0.1 * at[i] ? 0.1 * at[i] : to[i];
-    }
 }
 
 /* Moves (xi,eta) to the middle of its edge if the ends of this edge coincide.  Triangles have no such edges. */
@@ -1512,9 +2073,6 @@ FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
 typedef int footpoint_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
                                     int *region);
 
-/* A search of closest points: x has the vectors of the call; at = {xi, eta, square of the distance with its sign}. */
-typedef int footpoint_detail_nearest(const double *const *x, double zero, double at[3], int *region);
-
 /* Writes its answer for the caller, if there is an answer. */
 FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[3], int where,
                                                    double loc[2], double *dist, int *region)
@@ -1588,6 +2146,13 @@ FOOTPOINT_COLD void footpoint_detail_quad4_leave(const double *const *x, int k, 
         if (footpoint_detail_dot(slope, slope) > 1e-20 * footpoint_detail_dot(e, e))
             for (i = 0; i < 3; i++)
                 e[i] = slope[i];
+    }
+    if (5 > 4 + 1) { /* edges of patches begin at right angles to the normal */
+        const double *const n = x[4 + from];
+        const double along = footpoint_detail_dot(e, n);
+        int i;
+        for (i = 0; i < 3; i++)
+            e[i] -= along * n[i];
     }
 }
 
@@ -2464,20 +3029,22 @@ FOOTPOINT_PART int footpoint_detail_quad4_proved_closest_of(footpoint_detail_nea
  * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
  *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
 
-/* NAME, NAME_checked_n and NAME_over_n answer FOOTPOINT_OK only if a minimum of the distance to the surface is proved to lie
- * within NAME_PROMISE, a macro, of (xi,eta), times |xi| or |eta| if that is greater than 1: whatever the segment, rounding
- * errors included, which no order of summation changes.  FOOTPOINT_UNPROVED: steps came to no proof, loc and gap are where
- * they ended; under -ffast-math nothing is proved.  A minimum on the whole surface need not be the nearest point of the
- * segment: see NAME_closest.  NAME_at and NAME_n prove nothing. */
+/* NAME, NAME_checked_n and NAME_over_n return FOOTPOINT_OK only if a minimum of the distance to the surface is proved
+ * to lie within the macro NAME_PROMISE of (xi,eta), times |xi| or |eta| if that is greater than 1: for any segment,
+ * rounding errors included, which no order of summation changes. FOOTPOINT_UNPROVED: the steps found no proof, and loc
+ * and gap are where they ended; under -ffast-math nothing is proved. A minimum on the whole surface need not be the
+ * nearest point of the segment: see NAME_closest. NAME_at and NAME_n prove nothing. Answers of NAME_checked_n and
+ * NAME_over_n may differ from those of NAME within NAME_PROMISE. */
 
-/* NAME_from:  NAME from the last answer: loc must be set, to {xi, eta} of the step before or of a neighbour's foot point.
- *           Fastest if the foot point has moved by less than 0.1.  Where steps from loc prove nothing, or lead farther
- *           than half of the segment, and where a number in loc is NaN or infinite, it calls NAME: callers without a last
- *           answer set NaN.  Statuses, outputs and proofs are those of NAME, though rounding differs.  On a folded segment,
- *           where several minima lie close together, the answer is the minimum that steps from loc lead to; it need not be
- *           the one that NAME finds, nor the nearest.
- * NAME_from_n:  the same for n pairs, with last answers in xi and eta, which the new ones overwrite unless the status is < 0.
- * NAME_from_over_n:  the same for n slave nodes over one segment, as NAME_over_n. */
+/* NAME_from:  does the same as NAME, from the last answer: loc must be set to {xi, eta} of the last step or of a neighbour's
+ *           foot point. It is fastest if the foot point has moved by less than 0.1. If steps from loc prove nothing, or
+ *           lead farther than half of the segment, or if a number in loc is NaN or infinite, it calls NAME; callers
+ *           without a last answer set NaN. Statuses, outputs and proofs are those of NAME, though rounding differs. On
+ *           a folded segment with several close minima, the answer is the minimum to which steps from loc lead; it need
+ *           not be NAME's, nor the nearest.
+ * NAME_from_n:  does the same for n pairs, with last answers in xi and eta, which the new answers replace unless the
+ *           status is < 0.
+ * NAME_from_over_n:  does the same for n slave nodes over one segment, like NAME_over_n. */
 
 /* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
  *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, the part that contains r: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
@@ -2639,7 +3206,7 @@ FOOTPOINT_LOOP void footpoint_bricks_quad4_exact_over_n(const double *const node
                                   gap, status);
 }
 
-/* See footpoint_detail_quad4_further(); not inlined, so that footpoint_bricks_quad4_exact_from keeps nothing for it. */
+/* Calls footpoint_detail_quad4_further(); not inlined, so that footpoint_bricks_quad4_exact_from reserves nothing for it. */
 FOOTPOINT_COLD int footpoint_bricks_quad4_exact_detail_further(const double xA[3], const double xB[3],
                                                                const double xC[3], const double xD[3],
                                                                const double xS[3], double xi, double eta,
@@ -2669,7 +3236,7 @@ FOOTPOINT_LOOP void footpoint_bricks_quad4_exact_from_n(size_t n, const double *
                                                         double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_from_n(footpoint_bricks_quad4_exact, n, x, FOOTPOINT_BRICKS_QUAD4_EXACT_PROMISE, FOOTPOINT_BRICKS_QUAD4_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad4_from_n(footpoint_bricks_quad4_exact, 0, NULL, n, x, FOOTPOINT_BRICKS_QUAD4_EXACT_PROMISE, FOOTPOINT_BRICKS_QUAD4_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_bricks_quad4_exact_from_over_n(const double *const nodes[4], size_t n,
@@ -2678,7 +3245,7 @@ FOOTPOINT_LOOP void footpoint_bricks_quad4_exact_from_over_n(const double *const
                                                              double *FOOTPOINT_RESTRICT gap,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_from_over_n(footpoint_bricks_quad4_exact, nodes, n, x, FOOTPOINT_BRICKS_QUAD4_EXACT_PROMISE, FOOTPOINT_BRICKS_QUAD4_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad4_from_n(footpoint_bricks_quad4_exact, 1, nodes, n, x, FOOTPOINT_BRICKS_QUAD4_EXACT_PROMISE, FOOTPOINT_BRICKS_QUAD4_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_bricks_quad4_exact_detail_nearby(const double *const *x, int lanes, double zero,
@@ -2721,7 +3288,7 @@ FOOTPOINT_FN int footpoint_bricks_quad4_exact_closest_of(size_t n, const double 
                                                     loc, dist, region, which);
 }
 
-/* For fine promises one approach from the last answer ends too far off, and more cost as much as a start from scratch. */
+/* For fine promises one approach from the last answer ends too far off, and more cost as much as a new start. */
 FOOTPOINT_FN int footpoint_bricks_quad4_exact_closest_from(const double xA[3], const double xB[3], const double xC[3],
                                                            const double xD[3], const double xS[3], double loc[2],
                                                            double *dist, int *region)
@@ -2753,32 +3320,32 @@ FOOTPOINT_FN int footpoint_bricks_quad4_exact_closest_from(const double xA[3], c
 /* The largest error of xi and eta behind FOOTPOINT_OK. */
 #define FOOTPOINT_ALONG_PROMISE 1e-9
 
-/* The larger one without a branch, which would keep loops from being vectorised. */
+/* Returns the larger number without a branch, which would keep loops from being vectorised. */
 FOOTPOINT_PART double footpoint_detail_larger(double a, double b)
 {
     return 0.5 * (a + b + fabs(a - b));
 }
 
-/* How far |x| is above 1, and 0 below. */
+/* Returns the excess of |x| over 1, and 0 below. */
 FOOTPOINT_PART double footpoint_detail_excess(double x)
 {
     const double more = fabs(x) - 1.0;
     return 0.5 * (more + fabs(more));
 }
 
-/* Half of the last digit of 1. */
+/* Returns half of the last digit of 1. */
 FOOTPOINT_PART double footpoint_detail_unit(void)
 {
     return 1.0 / (double)((unsigned long long)1 << 53);
 }
 
-/* The sum of the absolute values. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART double footpoint_detail_manhattan(const double a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-/* The status of a proved point on the face: proofs do not hold where compilers may order sums as they like. */
+/* Returns the status of a proved point on the face: proofs do not hold if compilers may reorder sums. */
 FOOTPOINT_PART int footpoint_detail_met(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -2788,7 +3355,7 @@ FOOTPOINT_PART int footpoint_detail_met(void)
 #endif
 }
 
-/* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
+/* Scales the direction to a length of about 1. Returns FOOTPOINT_ERR_DEGENERATE if it has no length. */
 FOOTPOINT_FN int footpoint_detail_along_scale(const double along[3], double p[3])
 {
     double most = 0.0;
@@ -2808,7 +3375,7 @@ FOOTPOINT_FN int footpoint_detail_along_scale(const double along[3], double p[3]
 
 #ifndef FOOTPOINT_QUAD4_ALONG
 #define FOOTPOINT_QUAD4_ALONG
-/* c1, c2, c3 and d, all times 4. */
+/* Computes c1, c2, c3 and d, all times 4. */
 FOOTPOINT_PART void footpoint_detail_quad4_frame(const double *const *x, double c1[3], double c2[3],
                                                  double c3[3], double d[3])
 {
@@ -2823,7 +3390,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_frame(const double *const *x, double 
     }
 }
 
-/* The coefficients of both equations, {[c1 c2], [c1 c3], [c3 c2], [d c3], [c2 d], [d c1]}. */
+/* Computes the coefficients of both equations, {[c1 c2], [c1 c3], [c3 c2], [d c3], [c2 d], [d c1]}. */
 FOOTPOINT_PART void footpoint_detail_quad4_brackets(const double c1[3], const double c2[3],
                                                     const double c3[3], const double d[3],
                                                     const double p[3], double k[6])
@@ -2840,7 +3407,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_brackets(const double c1[3], const do
     k[5] = footpoint_detail_dot(d, m1);
 }
 
-/* 4 (xS - r) . p */
+/* Returns 4 (xS - r) . p. */
 FOOTPOINT_PART double footpoint_detail_quad4_ahead(const double c1[3], const double c2[3],
                                                    const double c3[3], const double d[3], const double p[3],
                                                    double xi, double eta)
@@ -2852,8 +3419,9 @@ FOOTPOINT_PART double footpoint_detail_quad4_ahead(const double c1[3], const dou
     return ahead;
 }
 
-/* Bounds of rounding errors: of d, over |p|, `away`; of the other vectors, over their size, `units`.  Differences of nodes are off by a
- * unit, c1 to c3 by 4, d by 6 and 2 of its own; vectors at right angles to p, their products and sums count for the rest. */
+/* Bounds rounding errors: of d, over |p|, `away`; of the other vectors, over their size, `units`. Differences of nodes
+ * are off by a unit, c1 to c3 by 4, d by 6 and 2 of its own; vectors at right angles to p, their products and sums
+ * count for the rest. */
 FOOTPOINT_PART double footpoint_detail_quad4_rounding(const double c1[3], const double c2[3],
                                                       const double c3[3], const double d[3], double units)
 {
@@ -2863,9 +3431,10 @@ FOOTPOINT_PART double footpoint_detail_quad4_rounding(const double c1[3], const 
                      footpoint_detail_manhattan(c3)));
 }
 
-/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of where the equations leave r and
- * s, and no other one where |xi|, |eta| <= wide.  off: rounding errors of the equations there.  As a map that leads to xi, eta, r - k2
- * xi eta and s - k1 xi eta, over j, contract if `room` > 0, in a norm of its own; then solutions lie within what `left` bounds. */
+/* Proves a solution. The highest bit of the result is set unless a solution is proved to lie within the promise of the
+ * place at which the equations leave r and s, and no other solution with |xi|, |eta| <= wide. off: rounding errors of
+ * the equations there. As a map to xi, eta, r - k2 xi eta and s - k1 xi eta, over j, contract if `room` > 0, in their
+ * own norm; then solutions lie within the bound `left`. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_meet(double j, double k1, double k2, double r, double s,
                                                               const double off[2], double wide)
 {
@@ -2878,8 +3447,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_meet(double j, double k
            footpoint_detail_bits(right) | footpoint_detail_infinite(left + right);
 }
 
-/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless that
- * is proved, as J has one sign in the segment and as far beyond it as (xi, eta) lies. */
+/* Finds at = {xi, eta, distance times |p|}, with status FOOTPOINT_OK or FOOTPOINT_OUTSIDE. The highest bit of the
+ * result is set unless that is proved: J has one sign in the segment and as far beyond it as (xi, eta) lies. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_along(const double *const *x, const double p[3],
                                                                double at[3], int *status)
 {
@@ -2909,7 +3478,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_along(const double *con
            footpoint_detail_infinite(at[2]);
 }
 
-/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`; 0 where any x is one, as on a collapsed edge. */
+/* Returns the solution of a x^2 + b x + c = 0 for which 2 a x + b is `slope`; 0 if any x is a solution, as on a
+ * collapsed edge. */
 FOOTPOINT_PART double footpoint_detail_root(double a, double b, double c, double slope)
 {
     if (a == 0.0 && b == 0.0 && c == 0.0)
@@ -2917,8 +3487,8 @@ FOOTPOINT_PART double footpoint_detail_root(double a, double b, double c, double
     return b * slope > 0.0 ? -2.0 * c / (b + slope) : (slope - b) / (2.0 * a);
 }
 
-/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of (xi,eta), with J of the sign of
- * `slope`: there tangents take the place of c1 and c2, and xS - r that of d. */
+/* The highest bit of the result is set unless a solution is proved to lie within the promise of (xi,eta), with J of the
+ * sign of `slope`: there, tangents replace c1 and c2, and xS - r replaces d. */
 FOOTPOINT_FN unsigned long long footpoint_detail_quad4_line_near(const double c1[3], const double c2[3],
                                                                  const double c3[3], const double d[3],
                                                                  const double p[3], double xi, double eta,
@@ -2941,9 +3511,9 @@ FOOTPOINT_FN unsigned long long footpoint_detail_quad4_line_near(const double c1
            footpoint_detail_bits(k[0] * slope);
 }
 
-/* Both solutions: z, xi, eta and the distance, what they reach at most of xi and eta, and whether a solution is proved to be there;
- * FOOTPOINT_ERR_DOMAIN if there is none.  Of the two ways to compute the discriminant the one that loses fewer digits, as near
- * a collapsed edge. */
+/* Computes both solutions: z, xi, eta and the distance, their largest xi and eta, and whether a solution is proved to
+ * be there. Returns FOOTPOINT_ERR_DOMAIN if there is none. The discriminant is computed in the way, of two, that loses
+ * fewer digits, for example near a collapsed edge. */
 FOOTPOINT_FN int footpoint_detail_quad4_solve(const double c1[3], const double c2[3], const double c3[3],
                                               const double d[3], const double p[3], const double k[6],
                                               double z[2][3], double reach[2], int proved[2])
@@ -2980,8 +3550,8 @@ FOOTPOINT_FN int footpoint_detail_quad4_solve(const double c1[3], const double c
     return found ? FOOTPOINT_OK : FOOTPOINT_ERR_DOMAIN;
 }
 
-/* Whether `other` cannot lie in the segment, as z is proved with J of the sign in the middle: there J is -J of z, and in the segment
- * it is more. */
+/* Returns 1 if `other` cannot lie in the segment, because z is proved with J of the sign in the middle: there J is -J
+ * of z, and in the segment it is more. */
 FOOTPOINT_FN int footpoint_detail_quad4_excludes(const double k[6], const double z[3], double reach,
                                                  double off)
 {
@@ -3002,8 +3572,8 @@ FOOTPOINT_FN int footpoint_detail_quad4_edge_on(const double c1[3], const double
              fabs(k[2]) > off * (b + c));
 }
 
-/* That in the segment, of two there the nearer one, of none the one less far outside that is proved.  Where both are proved there is no
- * other one. */
+/* Returns the solution in the segment, the nearer of two there, or otherwise the proved solution less far outside. If
+ * both are proved, there is no other. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, const double p[3],
                                                      double at[3])
 {
@@ -3040,8 +3610,8 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, con
                           : FOOTPOINT_OUTSIDE;
 }
 
-/* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
- * out of range of numbers there is FOOTPOINT_ERR_DOMAIN. */
+/* Searches in full, in units of length in which the segment and the direction are about 1 long. Returns
+ * FOOTPOINT_ERR_DOMAIN if a slave node or a distance overflows there. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, const double along[3],
                                                       double loc[2], double *dist)
 {
@@ -3071,19 +3641,19 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, co
 }
 #endif
 
-/* footpoint_bricks_quad4_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
- *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  A point where the line meets the surface is proved to lie within FOOTPOINT_ALONG_PROMISE of
- *           loc, farther outside than 1 within that times |xi| or |eta|, rounding errors included; dist is that of r(loc).
- *           FOOTPOINT_OK: it meets the segment nowhere else; FOOTPOINT_NOT_UNIQUE: it meets the segment more than once, and the
- *           answer is the nearest of these points, to their errors; FOOTPOINT_OUTSIDE: it passes by the segment, and
- *           meets the surface there beyond the edges, which count for as thick as FOOTPOINT_ALONG_PROMISE.
- *           FOOTPOINT_UNPROVED: any of these or none, as where it nearly touches the segment.  loc and dist are untouched where it
- *           returns FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the
- *           edges is proved;
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, as far as rounding
- *           errors tell; and FOOTPOINT_ERR_NOT_FINITE.
- * footpoint_bricks_quad4_along_n:  the same for n pairs, each with its status and its direction, three columns. */
+/* footpoint_bricks_quad4_along:  finds the point at which the line through xS in the direction `along`, of any length but 0, meets the
+ *           segment: loc = {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along
+ *           the segment's normal dist is the gap. A point at which the line meets the surface is proved to lie within
+ *           FOOTPOINT_ALONG_PROMISE of loc, times |xi| or |eta| if these are above 1, rounding errors included; dist belongs to
+ *           r(loc). FOOTPOINT_OK: the line meets the segment nowhere else. FOOTPOINT_NOT_UNIQUE: it meets the segment
+ *           more than once, and the answer is the nearest of these points, to their errors. FOOTPOINT_OUTSIDE: it does
+ *           not meet the segment, but the surface beyond the edges, which count as FOOTPOINT_ALONG_PROMISE thick.
+ *           FOOTPOINT_UNPROVED: any of these or no point, for example if the line nearly touches the segment.
+ *           On error loc and dist are untouched: FOOTPOINT_ERR_DOMAIN if xS is too far away for a distance, or the line
+ *           does not meet the segment, and no point beyond the edges is proved; FOOTPOINT_ERR_DEGENERATE if there is no
+ *           area or no direction, or, within rounding errors, if the line is parallel to the segment's plane; and
+ *           FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_bricks_quad4_along_n:  does the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_bricks_quad4_along(const double xA[3], const double xB[3], const double xC[3],
                                               const double xD[3], const double xS[3], const double along[3],
                                               double loc[2], double *dist)
@@ -3116,7 +3686,7 @@ FOOTPOINT_LOOP void footpoint_bricks_quad4_along_n(size_t n, const double *const
         double at[3];
         int outside;
         const unsigned long long flaw = footpoint_detail_quad4_along(row, q, at, &outside);
-        status[i] = outside - (int)(2 * (flaw >> 63)); /* < 0 where it is asked in full */
+        status[i] = outside - (int)(2 * (flaw >> 63)); /* < 0: a full search follows */
         xi[i] = at[0];
         eta[i] = at[1];
         dist[i] = at[2];

@@ -12,56 +12,56 @@
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
-#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own macros */
 #define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
-#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that unused results are not computed */
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#ifndef FOOTPOINT_APART /* before functions that stay separate: they vectorise whatever the caller's arrays */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_APART static __attribute__((noinline, unused))
 #else
 #define FOOTPOINT_APART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
+#ifndef FOOTPOINT_LOOP /* before loops over arrays: their callees are inlined, whatever their size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#ifndef FOOTPOINT_COLD /* before functions that are seldom called: not inlined */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
-                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#ifndef FOOTPOINT_EACH /* before loops over arrays that do not overlap; for clang pass -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns if it is not obeyed */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
-#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#ifndef FOOTPOINT_UNROLL /* before short loops inside loops over arrays, which vectorise only without them */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
-#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#ifndef FOOTPOINT_WHOLE /* the same for known counts, also long ones, which clang needs */
 #if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
 #else
@@ -95,8 +95,9 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS
 #define FOOTPOINT_DETAIL_BITS
-/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
- * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
     union {
@@ -107,8 +108,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     return both.bits;
 }
 
-/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
- * four instructions each instead of one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
 FOOTPOINT_PART double footpoint_detail_zero(void)
 {
     const volatile int zero = 0;
@@ -142,7 +143,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS
 #define FOOTPOINT_DETAIL_BOUNDS
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -152,7 +153,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 #endif
 }
 
-/* The greater number; a comparison with NaN raises no exception. */
+/* Returns the greater number; a comparison with NaN raises no exception. */
 FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -162,21 +163,27 @@ FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 #endif
 }
 
-/* The sum of the absolute values, and the largest. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART double footpoint_detail_sum(const double a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-FOOTPOINT_PART double footpoint_detail_most(const double a[3])
-{
-    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
-}
-
-/* The scalar product of a, >= 0, and |b|. */
+/* Returns the scalar product of a, >= 0, and |b|. */
 FOOTPOINT_PART double footpoint_detail_weigh(const double a[3], const double b[3])
 {
     return a[0] * fabs(b[0]) + a[1] * fabs(b[1]) + a[2] * fabs(b[2]);
+}
+
+/* Not less than the root of x >= 0, and at most 1.061 times that: half of its exponent, as logarithms have it. */
+FOOTPOINT_PART double footpoint_detail_root_bound(double x)
+{
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.bits = (footpoint_detail_bits(x) >> 1) + (footpoint_detail_bits(1.0) >> 1);
+    return both.number;
 }
 #endif
 
@@ -220,7 +227,7 @@ FOOTPOINT_FN int footpoint_detail_plane_scale(const double *const *x, int nodes,
     if (footpoint_detail_below(most, 2.2250738585072014e-308) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
-    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may overflow */
     second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i <= nodes; i++)
         for (j = 0; j < 2; j++)
@@ -228,8 +235,8 @@ FOOTPOINT_FN int footpoint_detail_plane_scale(const double *const *x, int nodes,
     return FOOTPOINT_OK;
 }
 
-/* Returns true if d, from a point of an edge to the slave node, points behind the edge of tangent t by more than a small
- * angle and by more than rounding; size bounds the coordinates that t is a sum of. */
+/* Returns 1 if d, from a point of an edge to the slave node, points behind the edge of tangent t by more than a small
+ * angle and by more than rounding; size bounds the coordinates of whose sums t consists. */
 FOOTPOINT_PART int footpoint_detail_plane_behind(const double d[2], const double t[2], double size)
 {
     const double across = footpoint_detail_plane_cross(d, t);
@@ -242,25 +249,40 @@ FOOTPOINT_PART int footpoint_detail_plane_behind(const double d[2], const double
 
 #ifndef FOOTPOINT_DETAIL_LINE
 #define FOOTPOINT_DETAIL_LINE
-/* The largest error of xi behind FOOTPOINT_OK. */
+/* Bounds the error of xi with FOOTPOINT_OK. */
 #ifndef FOOTPOINT_ALONG_PROMISE
 #define FOOTPOINT_ALONG_PROMISE 1e-9
 #endif
 
-/* A line against an edge: it meets the curve where g = a[0] + xi (a[1] + xi a[2]) is 0.  By rounding a[0] is off by 3 units
- * of far, a[1] by 3 and a[2] by 4 of wide, which bound their absolute values, too. */
+/* Holds a line relative to an edge: it meets the curve where g = a[0] + xi (a[1] + xi a[2]) is 0. By rounding, a[0] is
+ * off by 3 units of far, a[1] by 3 and a[2] by 4 of wide; far and wide also bound their absolute values. */
 struct footpoint_detail_line {
     double a[3], far, wide;
 };
 
-/* The sum of absolute values of the products of a cross product. */
+/* Computes the direction in a unit, 2^exponent, in which it is about 1 long. Returns a status. */
+FOOTPOINT_FN int footpoint_detail_plane_direction(const double along[2], double p[2], int *exponent)
+{
+    double most;
+    if ((footpoint_detail_infinite(along[0]) | footpoint_detail_infinite(along[1])) >> 63)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    most = footpoint_detail_greater(fabs(along[0]), fabs(along[1]));
+    if (footpoint_detail_below(most, 2.2250738585072014e-308) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, exponent);
+    p[0] = ldexp(along[0], -*exponent);
+    p[1] = ldexp(along[1], -*exponent);
+    return FOOTPOINT_OK;
+}
+
+/* Adds up the absolute values of the products of a cross product. */
 FOOTPOINT_PART double footpoint_detail_plane_across(const double p[2], double x, double y)
 {
     return fabs(p[0]) * fabs(y) + fabs(p[1]) * fabs(x);
 }
 
-/* If no root is proved to lie within the promise of xi, where it is at most 2 from the edge.  The slope is off by 8 (1 + x)
- * units of wide, and changes by 2 a[2] on 1. */
+/* Returns its highest bit set unless a root is proved to lie within the promise of xi, which is at most 2 from the
+ * edge.  The slope is off by 8 (1 + x) units of wide, and changes by 2 a[2] per unit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_plane_root(const struct footpoint_detail_line *l, double xi)
 {
     const double x = fabs(xi), promise = 0.99 * FOOTPOINT_ALONG_PROMISE * (1.0 + x) * 0.5;
@@ -273,7 +295,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_plane_root(const struct footp
            footpoint_detail_infinite(left) | footpoint_detail_fast();
 }
 
-/* If the line may meet the edge elsewhere: g / (t - xi) is linear, and its signs at both ends are not the same beyond doubt. */
+/* Returns its highest bit set if the line may meet the edge elsewhere: g / (t - xi) is linear, and its signs at both
+ * ends are not surely equal. */
 FOOTPOINT_PART unsigned long long footpoint_detail_plane_elsewhere(const struct footpoint_detail_line *l,
                                                                    double xi)
 {
@@ -283,7 +306,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_plane_elsewhere(const struct 
            (footpoint_detail_bits(left) ^ footpoint_detail_bits(right));
 }
 
-/* Both roots, the one that is nearer to 0 first; 0 if they are not real. */
+/* Computes both roots, the nearer to 0 first; returns 0 if they are not real. */
 FOOTPOINT_FN int footpoint_detail_plane_roots(const struct footpoint_detail_line *l, double root[2])
 {
     const double under = l->a[1] * l->a[1] - 4.0 * l->a[2] * l->a[0];
@@ -293,7 +316,8 @@ FOOTPOINT_FN int footpoint_detail_plane_roots(const struct footpoint_detail_line
     return under >= 0.0;
 }
 
-/* A status of roots that are not far: see the contract.  xi is the root that counts, of two on the edge root[0]. */
+/* Returns the status of roots that are not far: see the contract.  xi is the relevant root; of two on the edge it is
+ * root[0]. */
 FOOTPOINT_FN int footpoint_detail_plane_meet(const struct footpoint_detail_line *l, double root[2],
                                              double *xi)
 {
@@ -318,9 +342,9 @@ FOOTPOINT_FN int footpoint_detail_plane_meet(const struct footpoint_detail_line 
 
 #ifndef FOOTPOINT_EDGE2_SEARCH
 #define FOOTPOINT_EDGE2_SEARCH
-/* With e = B - A and d = S - A, (xi + 1) / 2 is d.e / e.e.  Differences are off by one unit of rounding, products by two
- * more; the sums of products, of whose terms one cancels, and the quotient by eight units of the sum of the absolute
- * values at most. */
+/* Projects S.  With e = B - A and d = S - A, (xi + 1) / 2 is d.e / e.e.  Differences are off by one unit of rounding,
+ * products by two more.  The sums of products, one term of which cancels, and the quotient are off by at most ten
+ * units of the sum of the absolute values. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge2_project(const double *const *x, double promise,
                                                                  double e[2], double d[2], double *xi)
 {
@@ -333,7 +357,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_edge2_project(const double *c
     terms = fabs(d[0] * e[0]) + fabs(d[1] * e[1]);
     per = 2.0 / ee;
     *xi = footpoint_detail_plane_dot(d, e) * per - 1.0;
-    reach = fabs(*xi); /* the greater of this and 1, without a comparison */
+    reach = fabs(*xi); /* the larger of this and 1, without a comparison */
     room = 0.99 * promise * (0.5 * (1.0 + reach + fabs(1.0 - reach))) -
            10.0 * 1.12e-16 * (terms * per);
     return footpoint_detail_outside(ee) | footpoint_detail_bits(room) |
@@ -346,7 +370,7 @@ FOOTPOINT_PART void footpoint_detail_edge2_at(const double *const *x, double *xi
     (void)footpoint_detail_edge2_project(x, 1.0, e, d, xi);
 }
 
-/* The highest bit of what it returns is set unless xi is proved and there is a gap. */
+/* Finds the foot point.  The highest bit of the result is set unless xi is proved and there is a gap. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge2_locate(const double *const *x, double promise, double *xi,
                                                                 double *gap)
 {
@@ -356,7 +380,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_edge2_locate(const double *co
     return flaw | footpoint_detail_infinite(*gap);
 }
 
-/* The same in full, in a unit of length in which the edge is about 1 long. */
+/* Repeats the search in full, in a unit of length in which the edge is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_edge2_repair(const double *const *x, double promise, double *xi,
                                                  double *gap)
 {
@@ -366,14 +390,14 @@ FOOTPOINT_COLD int footpoint_detail_edge2_repair(const double *const *x, double 
     return flaw >> 63 ? FOOTPOINT_UNPROVED : FOOTPOINT_OK;
 }
 
-/* The search from the last answer has nothing to gain. */
+/* Ignores the last answer, from which the search gains nothing. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge2_follow(const double *const *x, double promise, double *xi,
                                                                 double *gap)
 {
     return footpoint_detail_edge2_locate(x, promise, xi, gap);
 }
 
-/* The closest point: the end that xi lies beyond, or xi. */
+/* Finds the closest point: the end beyond which xi lies, or xi. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge2_near(const double *const *x, double promise, double *xi,
                                                               double *dist, int *region)
 {
@@ -402,7 +426,7 @@ FOOTPOINT_COLD int footpoint_detail_edge2_seek(const double *const *x, double pr
     return flaw >> 63 ? FOOTPOINT_UNPROVED : FOOTPOINT_OK;
 }
 
-/* The tangent at an end, of any length. */
+/* Computes the tangent at an end, of any length. */
 FOOTPOINT_PART void footpoint_detail_edge2_tangent(const double *const *x, double xi, double t[2])
 {
     (void)xi;
@@ -410,7 +434,7 @@ FOOTPOINT_PART void footpoint_detail_edge2_tangent(const double *const *x, doubl
     t[1] = x[1][1] - x[0][1];
 }
 
-/* Nothing bounds distances that no place is proved for. */
+/* Returns 0: distances without a proved place have no bound. */
 FOOTPOINT_FN int footpoint_detail_edge2_at_least(const double *const *x, double dist)
 {
     (void)x;
@@ -418,7 +442,7 @@ FOOTPOINT_FN int footpoint_detail_edge2_at_least(const double *const *x, double 
     return 0;
 }
 
-/* Shape functions, their derivatives and second derivatives. */
+/* Computes shape functions, their derivatives and second derivatives. */
 FOOTPOINT_PART void footpoint_detail_edge2_shape(double xi, double *phi, double *slope, double *bend)
 {
     phi[0] = 0.5 - 0.5 * xi;
@@ -428,7 +452,7 @@ FOOTPOINT_PART void footpoint_detail_edge2_shape(double xi, double *phi, double 
     bend[0] = bend[1] = 0.0;
 }
 
-/* The line through the slave node in the direction p, and S - r. */
+/* Computes the line through the slave node in the direction p, and S - r. */
 FOOTPOINT_PART void footpoint_detail_edge2_line(const double *const *x, const double p[2],
                                                 struct footpoint_detail_line *l)
 {
@@ -450,8 +474,8 @@ FOOTPOINT_PART void footpoint_detail_edge2_way(const double *const *x, double xi
     d[1] = (x[2][1] - x[0][1]) - t * (x[1][1] - x[0][1]);
 }
 
-/* Nodes and slave node in a unit of length in which the edge is about 1 long; FOOTPOINT_ERR_DOMAIN if xS is farther away than
- * is good for products. */
+/* Copies nodes and slave node in a unit of length in which the edge is about 1 long.  Returns FOOTPOINT_ERR_DOMAIN if
+ * xS is too far away for products. */
 FOOTPOINT_FN int footpoint_detail_edge2_unit(const double *const *x, double (*y)[2], const double **z,
                                              int *exponent)
 {
@@ -468,7 +492,7 @@ FOOTPOINT_FN int footpoint_detail_edge2_unit(const double *const *x, double (*y)
                : FOOTPOINT_OK;
 }
 
-/* From `at`, where the quick way ended, once more; then in full. */
+/* Searches again from `at`, where the quick way ended, then in full. */
 FOOTPOINT_COLD int footpoint_detail_edge2_answer(const double *const *x, double promise, double at,
                                                  double *xi, double *gap)
 {
@@ -507,7 +531,7 @@ FOOTPOINT_COLD int footpoint_detail_edge2_nearest(const double *const *x, double
     return status;
 }
 
-/* The closest point of one edge. */
+/* Finds the closest point of one edge. */
 FOOTPOINT_PART int footpoint_detail_edge2_closest(const double *const *x, double promise, double *xi,
                                                   double *dist, int *region)
 {
@@ -544,7 +568,7 @@ FOOTPOINT_FN void footpoint_detail_edge2_add_tangents(const double *const *segme
     }
 }
 
-/* Whether xS lies behind the edges that meet at the end r of one of n: behind the sum of their unit normals. */
+/* Returns 1 if xS lies behind the edges, of n, that meet at the end r: behind the sum of their unit normals. */
 FOOTPOINT_FN int footpoint_detail_edge2_corner(size_t n, const double *const *x, const double *xS,
                                                const double *r)
 {
@@ -557,7 +581,7 @@ FOOTPOINT_FN int footpoint_detail_edge2_corner(size_t n, const double *const *x,
     return footpoint_detail_plane_behind(d, sum, 4.0);
 }
 
-/* Whether no point of the edge is nearer than that by more than 1e-10 of the largest difference of coordinates. */
+/* Returns 1 if no point of the edge is nearer than dist by more than 1e-10 of the largest difference of coordinates. */
 FOOTPOINT_COLD int footpoint_detail_edge2_is_nearest(const double *const *x, double dist)
 {
     double y[3][2];
@@ -568,7 +592,7 @@ FOOTPOINT_COLD int footpoint_detail_edge2_is_nearest(const double *const *x, dou
     return footpoint_detail_edge2_at_least(z, ldexp(dist, -exponent));
 }
 
-/* The nearest of n edges. */
+/* Finds the nearest of n edges. */
 FOOTPOINT_FN int footpoint_detail_edge2_closest_of(size_t n, const double *const *x, const double *xS,
                                                    double promise, double *xi, double *dist, int *region,
                                                    size_t *which)
@@ -612,37 +636,41 @@ FOOTPOINT_FN int footpoint_detail_edge2_closest_of(size_t n, const double *const
 }
 #endif
 
-/* Contact in the plane: edges of 2 nodes xA, xB, ..., each (x, y); A lies at xi = -1, B at xi = 1, and C, the middle node
- * of an edge of three, at xi = 0.  The body lies to the left of A -> B, as Abaqus numbers the faces of plane elements: the
- * normal n = (t_y, -t_x) / |t| of the tangent t points to where slave nodes come from.
+/* Contact in the plane: edges of 2 nodes xA, xB, ..., each (x, y); A lies at xi = -1, B at xi = 1, and C, the
+ * middle node of an edge of three, at xi = 0. The body lies to the left of A -> B, as Abaqus numbers the faces of plane
+ * elements: the normal n = (t_y, -t_x) / |t| of the tangent t points to the side of the slave nodes.
  *
- * NAME_at:  xi, dimensionless; nothing is checked.
- * NAME:     xi and the gap (xS - r) . n at the foot point r (mesh length, > 0 open), both untouched if the status is < 0.
- *           FOOTPOINT_OK only if a minimum of the distance to the whole curve, which goes on beyond the ends, is proved to
- *           lie within NAME_NAME_PROMISE, a macro, of xi, times |xi| if that is greater than 1, rounding errors included, in any
- *           order of summation.  FOOTPOINT_UNPROVED: xi and gap are where the search ended; under -ffast-math nothing is
- *           proved.  FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE: all nodes are one point, or there is no normal
- *           there, or no number.  A minimum need not be the nearest point of the edge: see NAME_closest.
- * NAME_from:  NAME from the last answer: xi must be set, or NaN.  If steps from there prove nothing, or lead farther than
- *           half of the edge, it calls NAME.  If there are two minima, the answer may be the other one.
+ * NAME_at:  computes xi, dimensionless; checks nothing.
+ * NAME:     computes xi and the gap (xS - r) . n at the foot point r (mesh length, > 0 open).  FOOTPOINT_OK is proved,
+ *           rounding errors included, in any order of summation: a minimum of the distance to the whole curve, which
+ *           continues beyond the ends, lies within NAME_PROMISE, a macro, of xi, times |xi| if that is greater than 1.
+ *           FOOTPOINT_UNPROVED: xi and gap are those at the end of the search; under -ffast-math nothing is proved.
+ *           On error xi and gap are untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE if all nodes are one
+ *           point, or there is no normal there, or a result is no number.  A minimum need not be the nearest point of
+ *           the edge: see NAME_closest.
+ * NAME_from:  does the same from the last answer: xi must be set, or NaN.  If steps from there prove nothing, or lead
+ *           farther than half of the edge, it calls NAME.  If there are two minima, the answer may be the other one.
  * NAME_closest:  finds the closest point r of the edge, its ends included: xi; dist, the distance |xS - r|, < 0 if xS lies
- *           behind the edge; and region, where r lies: 0 inside, 1 end A, 2 end B.  FOOTPOINT_OK is proved: the closest point
- *           lies within NAME_NAME_PROMISE of xi, and in `region`, unless it is within 1e-9 of an end.  FOOTPOINT_NOT_UNIQUE
- *           is proved, too: no point is nearer than r by more than 1e-10 |AB|, and another, elsewhere in the plane, is
- *           not farther by more.  FOOTPOINT_UNPROVED: r is the nearest point found.
+ *           behind the edge; and region, the place of r: 0 inside, 1 end A, 2 end B.  FOOTPOINT_OK is proved: the closest
+ *           point lies within NAME_PROMISE of xi, and in `region`, unless it is within 1e-9 of an end.
+ *           FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 1e-10 |AB|, and another,
+ *           elsewhere in the plane, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest point found.
  *           Behind means (xS - r) . n < 0 for the normal n at r or, if the tangent at r is a thousand times shorter than
- *           at a thousandth (1/1024) of the way to the middle, for the normal there.  At an end xS is behind only by more
- *           than a small angle, 1e-12, and by more than rounding.
- *           On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE, if all nodes are one point; and
- *           FOOTPOINT_ERR_DOMAIN, if r is farther from xS than 1e149 edges, or the distance is no number.
- * NAME_closest_of:  finds the nearest of n edges, the nodes of edge i being x[2 i] and on; which is its number.  At an end
- *           dist < 0 if xS lies behind the sum of the unit normals of all edges that have that end.  Nodes are the same if
- *           their coordinates are.  FOOTPOINT_UNPROVED also if the answer of any edge is not proved.  Edges without an answer
- *           are passed over; if all are, the status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0.
- * NAME_n, NAME_checked_n, NAME_from_n, NAME_closest_n:  NAME_at, NAME, NAME_from and NAME_closest for n pairs, each with its
- *           status; x[2 k + i] is the column of coordinate i of vector k, xA, xB, xS.  If the status is < 0, the other
- *           outputs may be overwritten.  Outputs overlap nothing else.
- * NAME_over_n:  NAME for n slave nodes over one edge: nodes are its vectors, x the two columns of the slave nodes. */
+ *           at a thousandth (1/1024; float: 1/32) of the way to the middle, for the normal there.  At an end xS is behind
+ *           only by more than a small angle, 1e-12, and by more than rounding.
+ *           On error all outputs are untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE if all nodes are one
+ *           point; FOOTPOINT_ERR_DOMAIN if r is farther from xS than 1e149 edges (float: 1e14), or the distance is no
+ *           number.
+ * NAME_closest_of:  finds the nearest of n edges, the nodes of edge i being x[2 i] and on; which is its number.  At an
+ *           end dist < 0 if xS lies behind the sum of the unit normals of all edges that share that end.  Nodes with equal
+ *           coordinates are the same node.  FOOTPOINT_UNPROVED also if the answer of any edge is not proved.  Edges
+ *           without an answer are skipped; if no edge has an answer, the status is the last edge's, and
+ *           FOOTPOINT_ERR_DOMAIN if n = 0.
+ * NAME_n, NAME_checked_n, NAME_from_n, NAME_closest_n:  do the same as NAME_at, NAME, NAME_from and NAME_closest for n
+ *           pairs, each with its status; x[2 k + i] is the column of coordinate i of vector k, xA, xB, xS.  If the status
+ *           is < 0, the other outputs may be overwritten.  Outputs must not overlap anything else.
+ * NAME_over_n:  does the same as NAME for n slave nodes over one edge: nodes are its vectors, x the two columns of the
+ *           slave nodes. */
 
 #define FOOTPOINT_EDGE2_EXACT_PROMISE 1e-12 /* the largest error of xi behind FOOTPOINT_OK */
 
@@ -798,25 +826,26 @@ FOOTPOINT_LOOP void footpoint_edge2_exact_closest_n(size_t n, const double *cons
         }
 }
 
-/* footpoint_edge2_place:  at xi, which need not be a foot point: phi[2], shape functions; r_xi[2], tangent; normal[2], of length 1;
- *           gap, (xS - r) . normal.
- * footpoint_edge2_gradients:  at a foot point xi: d_xi[6] and d_gap[6], derivatives of xi and of the gap by the
- *           coordinates of xA, xB, xS.
- * footpoint_edge2_hessian:  likewise d_normal[2][6], of each component of the normal by all coordinates, and hessian, second
- *           derivatives of the gap, packed: by coordinates r and c, r >= c, at [r (r + 1) / 2 + c].
- *           Outputs may be NULL.  On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE: no normal,
- *           tangents that are not between 1e-77 and 1e77 long or, of derivatives, a foot point at the centre of
- *           curvature. */
+/* footpoint_edge2_place:  computes at xi, which need not be a foot point: phi[2], shape functions; r_xi[2], tangent;
+ *           normal[2], of length 1; gap, (xS - r) . normal.
+ * footpoint_edge2_gradients:  computes at a foot point xi: d_xi[6] and d_gap[6], derivatives of xi and of
+ *           the gap by the coordinates of xA, xB, xS.
+ * footpoint_edge2_hessian:  also computes d_normal[2][6], derivatives of each component of the normal by all
+ *           coordinates, and hessian, second derivatives of the gap by coordinates r and c, r >= c, at [r (r + 1) / 2 +
+ *           c].
+ *           Outputs may be NULL. On error all outputs are untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE
+ *           if there is no normal, if tangents are not between 1e-77 and 1e77 long or, for derivatives, if the foot
+ *           point is the centre of curvature. */
 
-/* Sides of the edge of one place, with what derivatives are made of. */
+/* Holds an edge at one place, and the parts of derivatives. */
 struct footpoint_detail_edge2_rates {
     double phi[3],
-        slope[3]; /* factors of the vectors in r - xS, and their derivatives by xi */
+        slope[3]; /* coefficients of the vectors in r - xS, and their derivatives by xi */
     double t[2], bend[2], n[2], gap, tt,
         stiff; /* r', r'', normal; half of (|xS - r|^2)'' at a foot point */
 };
 
-/* The highest bit of what it returns is set if there is no normal, or something is not finite. */
+/* Computes the values at xi.  The highest bit of the result is set if there is no normal, or a value is not finite. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge2_rates_at(const double *const *x, double xi,
                                                                   struct footpoint_detail_edge2_rates *e)
 {
@@ -847,7 +876,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_edge2_rates_at(const double *
            footpoint_detail_infinite(e->gap + xi);
 }
 
-/* The status of a place that has no rates, or of derivatives where the foot point is not unique. */
+/* Returns the status of a place without values, or of derivatives if the foot point is not unique. */
 FOOTPOINT_PART int footpoint_detail_edge2_placed(const double *const *x, double xi,
                                                  const struct footpoint_detail_edge2_rates *e,
                                                  unsigned long long flaw, int derivatives)
@@ -885,7 +914,7 @@ FOOTPOINT_FN int footpoint_edge2_place(const double xA[2], const double xB[2], c
     return FOOTPOINT_OK;
 }
 
-/* The derivative of xi by coordinate j of vector k. */
+/* Returns the derivative of xi by coordinate j of vector k. */
 FOOTPOINT_PART double footpoint_detail_edge2_d_xi(const struct footpoint_detail_edge2_rates *e, int k,
                                                   int j)
 {
@@ -920,8 +949,7 @@ FOOTPOINT_FN int footpoint_edge2_hessian(const double xA[2], const double xB[2],
     int i, j;
     if (status != FOOTPOINT_OK)
         return status;
-    for (i = 0; i < 6;
-         i++) { /* of xi, and of the normal: that of coordinate a is turn t_a */
+    for (i = 0; i < 6; i++) { /* of xi, and of the normal: by coordinate a, turn t_a */
         along[i] = footpoint_detail_edge2_d_xi(&e, i / 2, i % 2);
         turn[i] =
             -(e.slope[i / 2] * e.n[i % 2] + footpoint_detail_plane_dot(e.bend, e.n) * along[i]) /
@@ -937,16 +965,18 @@ FOOTPOINT_FN int footpoint_edge2_hessian(const double xA[2], const double xB[2],
     return FOOTPOINT_OK;
 }
 
-/* footpoint_edge2_along:  where the line through xS in the direction `along`, of any length but 0, meets the edge: xi, and dist with
- *           xS = r(xi) + dist along / |along|.  FOOTPOINT_OK is proved: the line meets the curve within FOOTPOINT_ALONG_PROMISE of xi,
- *           and the edge nowhere else; FOOTPOINT_NOT_UNIQUE, it meets the edge twice, the point that is nearer to xS is the
- *           answer; FOOTPOINT_OUTSIDE, it meets the edge nowhere, but the curve beyond its ends within the promise of xi, times
- *           |xi|.  FOOTPOINT_UNPROVED: any of these, as where it nearly touches the edge.  xi and dist are untouched where it
- *           returns FOOTPOINT_ERR_DOMAIN: it does not meet the curve, or there is no number; FOOTPOINT_ERR_DEGENERATE: no
- *           length, no direction, or that of a straight edge; and FOOTPOINT_ERR_NOT_FINITE.
- * footpoint_edge2_along_n:  the same for n pairs, each with its status and its direction, two columns. */
+/* footpoint_edge2_along:  finds the point at which the line through xS in the direction `along`, of any length but 0, meets the
+ *           edge: xi, and dist with xS = r(xi) + dist along / |along|. FOOTPOINT_OK is proved: the line meets the curve
+ *           within FOOTPOINT_ALONG_PROMISE of xi, and the edge nowhere else. FOOTPOINT_NOT_UNIQUE is proved: it meets the edge
+ *           twice, and the answer is the point nearer to xS. FOOTPOINT_OUTSIDE is proved: it does not meet the edge,
+ *           but the curve beyond its ends within the promise of xi, times |xi|. FOOTPOINT_UNPROVED: any of these, for
+ *           example if the line nearly touches the edge.
+ *           On error xi and dist are untouched: FOOTPOINT_ERR_DOMAIN if the line does not meet the curve, or a result
+ *           is not finite; FOOTPOINT_ERR_DEGENERATE if edge or direction have no length, or the line is parallel to a
+ *           straight edge; and FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_edge2_along_n:  does the same for n pairs, each with its status and its direction, two columns. */
 
-/* The distance at xi, times |p|. */
+/* Returns the distance at xi, times |p|. */
 FOOTPOINT_PART double footpoint_detail_edge2_away(const double *const *x, const double p[2], double xi)
 {
     double d[2];
@@ -954,7 +984,7 @@ FOOTPOINT_PART double footpoint_detail_edge2_away(const double *const *x, const 
     return footpoint_detail_plane_dot(d, p);
 }
 
-/* In units of length in which edge and direction are about 1 long. */
+/* Searches in units of length in which edge and direction are about 1 long. */
 FOOTPOINT_FN int footpoint_detail_edge2_along(const double *const *x, const double p[2], double *xi,
                                               double *dist)
 {
@@ -979,17 +1009,11 @@ FOOTPOINT_FN int footpoint_edge2_along(const double xA[2], const double xB[2], c
     double y[3][2], p[2], at, away;
     const double *z[3];
     int exponent = 0, turn, status = footpoint_detail_edge2_unit(x, y, z, &exponent);
-    if (status == FOOTPOINT_ERR_NOT_FINITE ||
-        (footpoint_detail_infinite(along[0]) | footpoint_detail_infinite(along[1])) >> 63)
+    const int turned = footpoint_detail_plane_direction(along, p, &turn);
+    if (status == FOOTPOINT_ERR_NOT_FINITE || turned == FOOTPOINT_ERR_NOT_FINITE)
         return FOOTPOINT_ERR_NOT_FINITE;
-    if (status != FOOTPOINT_OK)
-        return status;
-    away = footpoint_detail_greater(fabs(along[0]), fabs(along[1]));
-    if (footpoint_detail_below(away, 2.2250738585072014e-308) >> 63)
-        return FOOTPOINT_ERR_DEGENERATE;
-    (void)frexp(away, &turn);
-    p[0] = ldexp(along[0], -turn);
-    p[1] = ldexp(along[1], -turn);
+    if (status != FOOTPOINT_OK || turned != FOOTPOINT_OK)
+        return status != FOOTPOINT_OK ? status : turned;
     status = footpoint_detail_edge2_along(z, p, &at, &away);
     if (status < FOOTPOINT_OK)
         return status;
@@ -1011,6 +1035,168 @@ FOOTPOINT_FN void footpoint_edge2_along_n(size_t n, const double *const x[6],
         const double q[2] = {along[0][i], along[1][i]};
         status[i] = footpoint_edge2_along(p[0], p[1], p[2], q, &xi[i], &dist[i]);
     }
+}
+
+/* footpoint_edge2_gradients_along:  computes, at xi as footpoint_edge2_along found it, dist and the derivatives d_xi and d_dist of xi and
+ *           dist by the 6 coordinates of xA, xB, xS and, last, the two of `along`.
+ * footpoint_edge2_hessian_along:  also computes second derivatives h_xi and h_dist, packed: by coordinates r and c, r >= c, at
+ *           [r (r + 1) / 2 + c].
+ *           Outputs may be NULL.  On error all outputs are untouched: FOOTPOINT_ERR_NOT_FINITE if an input or a result is
+ *           not finite; FOOTPOINT_ERR_DEGENERATE if edge or direction have no length, or the line is so nearly parallel to
+ *           the edge that rounding may cost derivatives more than about 1e-9; FOOTPOINT_ERR_DOMAIN if xS is too far away. */
+
+/* Holds the parts of derivatives. Differentiating r(xi) + t q = xS by coordinates i and e gives {xi, t}_i = - v .
+ * (phi_i - t q_i) and {xi, t}_ie = - v . [...]. The rows v satisfy v . r_xi = {1, 0} and v . q = {0, 1}. The bracket is
+ * the sum of r_xixi xi_i xi_e, (f_i . u_e) w_i, (f_e . u_i) w_e and t q_ie. */
+struct footpoint_detail_edge2_turns {
+    double u[2][6 + 2]; /* first derivatives of xi and t, the distance */
+    double w[2][6 + 2]; /* v times those of r(xi) and q at fixed xi and t, and */
+    double f[2][6 + 2]; /* their slopes: phi_xi; 1 */
+    double c[2];                  /* v . r_xixi */
+    double q[2], t, unit, over;   /* t is in units of `unit`, over: 1 over the direction's length */
+};
+
+/* Computes the parts by the direction, whose two coordinates come last. */
+FOOTPOINT_PART void footpoint_detail_edge2_turn_direction(struct footpoint_detail_edge2_turns *s,
+                                                          const double *const *v)
+{
+    int e, i, j;
+    for (j = 0; j < 2; j++)
+        for (i = 0; i < 2; i++) {
+            const double turn = s->over * (v[j][i] - (j ? s->q[i] : 0.0));
+            e = 6 + i;
+            s->u[j][e] = -s->t * turn;
+            s->w[j][e] = (j ? s->unit : 1.0) * turn;
+            s->f[j][e] = (double)j;
+        }
+}
+
+/* Computes the parts from t, q, unit and over, for an edge about 1 long. The highest bit of the result is set if the
+ * line is so nearly parallel to the edge that rounding may cost derivatives more than about 1e-9. */
+FOOTPOINT_PART unsigned long long footpoint_detail_edge2_turn(const double *const *x, double xi,
+                                                              struct footpoint_detail_edge2_turns *s)
+{
+    double phi[3], slope[3], bend[2], a[2], b[2], edges = 0.0, v[2][2], det;
+    const double *const rows[2] = {v[0], v[1]};
+    int e, j, k;
+    footpoint_detail_edge2_shape(xi, phi, slope, bend);
+    phi[2] = -1.0;
+    slope[2] = 0.0;
+    for (j = 0; j < 2; j++) {
+        a[j] = b[j] = 0.0;
+        for (k = 1; k < 2; k++) {
+            const double edge = x[k][j] - x[0][j];
+            a[j] += slope[k] * edge;
+            b[j] += bend[k] * edge;
+            edges += edge * edge;
+        }
+    }
+    det = footpoint_detail_plane_cross(a, s->q);
+    v[0][0] = s->q[1] / det;
+    v[0][1] = -s->q[0] / det;
+    v[1][0] = -a[1] / det;
+    v[1][1] = a[0] / det;
+    for (j = 0; j < 2; j++) {
+        s->c[j] = (j ? s->unit : 1.0) * footpoint_detail_plane_dot(v[j], b);
+        for (e = 0; e < 6; e++) {
+            s->w[j][e] = (j ? 1.0 : 1.0 / s->unit) * v[j][e % 2];
+            s->u[j][e] = -phi[e / 2] * (v[j][e % 2] / s->unit);
+            s->f[j][e] = j ? 0.0 : slope[e / 2];
+        }
+    }
+    footpoint_detail_edge2_turn_direction(s, rows);
+    return footpoint_detail_bits(det * det - 6.4e-10 * (1.0 + xi * xi) * edges) |
+           footpoint_detail_infinite(det);
+}
+
+/* Bounds second derivatives number j from above. */
+FOOTPOINT_PART double footpoint_detail_edge2_bend_most(const struct footpoint_detail_edge2_turns *s,
+                                                       int j)
+{
+    double u = 0.0, w = s->unit * s->over, f = 1.0;
+    int i;
+    for (i = 0; i < 6 + 2; i++) {
+        w += fabs(s->w[j][i]);
+        u += fabs(s->u[0][i]) + fabs(s->u[1][i]);
+        f += fabs(s->f[0][i]);
+    }
+    return 2.0 * (u * fabs(s->c[j]) + w * f) * u + 2.0 * fabs(s->t * s->over) * w;
+}
+
+/* Computes second derivatives number j, packed. If both coordinates are of the direction, t times v times the second
+ * derivatives of q is added. */
+FOOTPOINT_PART void footpoint_detail_edge2_bend(const struct footpoint_detail_edge2_turns *s, int j,
+                                                double *row)
+{
+    const double *const w = s->w[j], *const q = s->q, straight = j ? s->unit * s->over : 0.0;
+    int e, i;
+    for (i = 0; i < 6 + 2; row += ++i) {
+        const double x = s->u[0][i], t = s->u[1][i];
+        const double a = s->c[j] * x + w[i] * s->f[0][i], b = w[i] * s->f[1][i];
+        for (e = 0; e <= i; e++)
+            row[e] = -(a * s->u[0][e] + b * s->u[1][e] + w[e] * (x * s->f[0][e] + t * s->f[1][e]));
+        for (e = 6; e <= i; e++)
+            row[e] += s->t * s->over *
+                      (q[i % 2] * w[e] + q[e % 2] * w[i] +
+                       straight * ((e == i ? 1.0 : 0.0) - q[i % 2] * q[e % 2]));
+    }
+}
+
+/* Writes the distance, first and second derivatives: rows 0, 1 to 2 and 3 to 4, unless NULL. Returns a status. */
+FOOTPOINT_PART int footpoint_detail_edge2_bends(const struct footpoint_detail_edge2_turns *s,
+                                                double *const *row)
+{
+    double most = fabs(s->t * s->unit);
+    int i, j;
+    for (j = 0; j < 2; j++) {
+        for (i = 0; row[1 + j] && i < 6 + 2; i++)
+            most += fabs((j ? s->unit : 1.0) * s->u[j][i]);
+        most += row[3 + j] ? footpoint_detail_edge2_bend_most(s, j) : 0.0;
+    }
+    if (footpoint_detail_infinite(most) >> 63)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    if (row[0])
+        row[0][0] = s->t * s->unit;
+    for (j = 0; j < 2; j++) {
+        for (i = 0; row[1 + j] && i < 6 + 2; i++)
+            row[1 + j][i] = (j ? s->unit : 1.0) * s->u[j][i];
+        if (row[3 + j])
+            footpoint_detail_edge2_bend(s, j, row[3 + j]);
+    }
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_FN int footpoint_edge2_hessian_along(const double xA[2], const double xB[2], const double xS[2],
+                                               const double along[2], double xi, double *dist,
+                                               double *d_xi, double *d_dist, double *h_xi, double *h_dist)
+{
+    const double *const x[3] = {xA, xB, xS};
+    double *const row[5] = {dist, d_xi, d_dist, h_xi, h_dist}, y[3][2], length;
+    const double *z[3];
+    struct footpoint_detail_edge2_turns s;
+    int exponent = 0, turn = 0, status = footpoint_detail_edge2_unit(x, y, z, &exponent);
+    if (status == FOOTPOINT_OK)
+        status = footpoint_detail_plane_direction(along, s.q, &turn);
+    if (status != FOOTPOINT_OK)
+        return status;
+    if (footpoint_detail_infinite(xi) >> 63)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    length = 1.0 / sqrt(footpoint_detail_plane_dot(s.q, s.q));
+    s.q[0] *= length;
+    s.q[1] *= length;
+    s.over = ldexp(length, -turn);
+    s.unit = ldexp(1.0, exponent);
+    s.t = footpoint_detail_edge2_away(z, s.q, xi);
+    if (footpoint_detail_edge2_turn(z, xi, &s) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    return footpoint_detail_edge2_bends(&s, row);
+}
+
+FOOTPOINT_FN int footpoint_edge2_gradients_along(const double xA[2], const double xB[2], const double xS[2],
+                                                 const double along[2], double xi, double *dist,
+                                                 double *d_xi, double *d_dist)
+{
+    return footpoint_edge2_hessian_along(xA, xB, xS, along, xi, dist, d_xi, d_dist, 0, 0);
 }
 
 #endif

@@ -12,56 +12,56 @@
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
-#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own macros */
 #define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
-#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that unused results are not computed */
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#ifndef FOOTPOINT_APART /* before functions that stay separate: they vectorise whatever the caller's arrays */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_APART static __attribute__((noinline, unused))
 #else
 #define FOOTPOINT_APART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
+#ifndef FOOTPOINT_LOOP /* before loops over arrays: their callees are inlined, whatever their size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#ifndef FOOTPOINT_COLD /* before functions that are seldom called: not inlined */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
-                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#ifndef FOOTPOINT_EACH /* before loops over arrays that do not overlap; for clang pass -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns if it is not obeyed */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
-#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#ifndef FOOTPOINT_UNROLL /* before short loops inside loops over arrays, which vectorise only without them */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
-#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#ifndef FOOTPOINT_WHOLE /* the same for known counts, also long ones, which clang needs */
 #if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
 #else
@@ -95,8 +95,9 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS
 #define FOOTPOINT_DETAIL_BITS
-/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
- * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
     union {
@@ -107,8 +108,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     return both.bits;
 }
 
-/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
- * four instructions each instead of one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
 FOOTPOINT_PART double footpoint_detail_zero(void)
 {
     const volatile int zero = 0;
@@ -142,7 +143,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS
 #define FOOTPOINT_DETAIL_BOUNDS
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -152,7 +153,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 #endif
 }
 
-/* The greater number; a comparison with NaN raises no exception. */
+/* Returns the greater number; a comparison with NaN raises no exception. */
 FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -162,21 +163,27 @@ FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 #endif
 }
 
-/* The sum of the absolute values, and the largest. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART double footpoint_detail_sum(const double a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-FOOTPOINT_PART double footpoint_detail_most(const double a[3])
-{
-    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
-}
-
-/* The scalar product of a, >= 0, and |b|. */
+/* Returns the scalar product of a, >= 0, and |b|. */
 FOOTPOINT_PART double footpoint_detail_weigh(const double a[3], const double b[3])
 {
     return a[0] * fabs(b[0]) + a[1] * fabs(b[1]) + a[2] * fabs(b[2]);
+}
+
+/* Not less than the root of x >= 0, and at most 1.061 times that: half of its exponent, as logarithms have it. */
+FOOTPOINT_PART double footpoint_detail_root_bound(double x)
+{
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.bits = (footpoint_detail_bits(x) >> 1) + (footpoint_detail_bits(1.0) >> 1);
+    return both.number;
 }
 #endif
 
@@ -220,7 +227,7 @@ FOOTPOINT_FN int footpoint_detail_plane_scale(const double *const *x, int nodes,
     if (footpoint_detail_below(most, 2.2250738585072014e-308) >> 63)
         return FOOTPOINT_ERR_DEGENERATE;
     (void)frexp(most, exponent);
-    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may be no number */
+    first = ldexp(1.0, -(*exponent / 2)); /* by steps: the whole power may overflow */
     second = ldexp(1.0, *exponent / 2 - *exponent);
     for (i = 0; i <= nodes; i++)
         for (j = 0; j < 2; j++)
@@ -228,8 +235,8 @@ FOOTPOINT_FN int footpoint_detail_plane_scale(const double *const *x, int nodes,
     return FOOTPOINT_OK;
 }
 
-/* Returns true if d, from a point of an edge to the slave node, points behind the edge of tangent t by more than a small
- * angle and by more than rounding; size bounds the coordinates that t is a sum of. */
+/* Returns 1 if d, from a point of an edge to the slave node, points behind the edge of tangent t by more than a small
+ * angle and by more than rounding; size bounds the coordinates of whose sums t consists. */
 FOOTPOINT_PART int footpoint_detail_plane_behind(const double d[2], const double t[2], double size)
 {
     const double across = footpoint_detail_plane_cross(d, t);
@@ -242,25 +249,40 @@ FOOTPOINT_PART int footpoint_detail_plane_behind(const double d[2], const double
 
 #ifndef FOOTPOINT_DETAIL_LINE
 #define FOOTPOINT_DETAIL_LINE
-/* The largest error of xi behind FOOTPOINT_OK. */
+/* Bounds the error of xi with FOOTPOINT_OK. */
 #ifndef FOOTPOINT_ALONG_PROMISE
 #define FOOTPOINT_ALONG_PROMISE 1e-9
 #endif
 
-/* A line against an edge: it meets the curve where g = a[0] + xi (a[1] + xi a[2]) is 0.  By rounding a[0] is off by 3 units
- * of far, a[1] by 3 and a[2] by 4 of wide, which bound their absolute values, too. */
+/* Holds a line relative to an edge: it meets the curve where g = a[0] + xi (a[1] + xi a[2]) is 0. By rounding, a[0] is
+ * off by 3 units of far, a[1] by 3 and a[2] by 4 of wide; far and wide also bound their absolute values. */
 struct footpoint_detail_line {
     double a[3], far, wide;
 };
 
-/* The sum of absolute values of the products of a cross product. */
+/* Computes the direction in a unit, 2^exponent, in which it is about 1 long. Returns a status. */
+FOOTPOINT_FN int footpoint_detail_plane_direction(const double along[2], double p[2], int *exponent)
+{
+    double most;
+    if ((footpoint_detail_infinite(along[0]) | footpoint_detail_infinite(along[1])) >> 63)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    most = footpoint_detail_greater(fabs(along[0]), fabs(along[1]));
+    if (footpoint_detail_below(most, 2.2250738585072014e-308) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, exponent);
+    p[0] = ldexp(along[0], -*exponent);
+    p[1] = ldexp(along[1], -*exponent);
+    return FOOTPOINT_OK;
+}
+
+/* Adds up the absolute values of the products of a cross product. */
 FOOTPOINT_PART double footpoint_detail_plane_across(const double p[2], double x, double y)
 {
     return fabs(p[0]) * fabs(y) + fabs(p[1]) * fabs(x);
 }
 
-/* If no root is proved to lie within the promise of xi, where it is at most 2 from the edge.  The slope is off by 8 (1 + x)
- * units of wide, and changes by 2 a[2] on 1. */
+/* Returns its highest bit set unless a root is proved to lie within the promise of xi, which is at most 2 from the
+ * edge.  The slope is off by 8 (1 + x) units of wide, and changes by 2 a[2] per unit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_plane_root(const struct footpoint_detail_line *l, double xi)
 {
     const double x = fabs(xi), promise = 0.99 * FOOTPOINT_ALONG_PROMISE * (1.0 + x) * 0.5;
@@ -273,7 +295,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_plane_root(const struct footp
            footpoint_detail_infinite(left) | footpoint_detail_fast();
 }
 
-/* If the line may meet the edge elsewhere: g / (t - xi) is linear, and its signs at both ends are not the same beyond doubt. */
+/* Returns its highest bit set if the line may meet the edge elsewhere: g / (t - xi) is linear, and its signs at both
+ * ends are not surely equal. */
 FOOTPOINT_PART unsigned long long footpoint_detail_plane_elsewhere(const struct footpoint_detail_line *l,
                                                                    double xi)
 {
@@ -283,7 +306,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_plane_elsewhere(const struct 
            (footpoint_detail_bits(left) ^ footpoint_detail_bits(right));
 }
 
-/* Both roots, the one that is nearer to 0 first; 0 if they are not real. */
+/* Computes both roots, the nearer to 0 first; returns 0 if they are not real. */
 FOOTPOINT_FN int footpoint_detail_plane_roots(const struct footpoint_detail_line *l, double root[2])
 {
     const double under = l->a[1] * l->a[1] - 4.0 * l->a[2] * l->a[0];
@@ -293,7 +316,8 @@ FOOTPOINT_FN int footpoint_detail_plane_roots(const struct footpoint_detail_line
     return under >= 0.0;
 }
 
-/* A status of roots that are not far: see the contract.  xi is the root that counts, of two on the edge root[0]. */
+/* Returns the status of roots that are not far: see the contract.  xi is the relevant root; of two on the edge it is
+ * root[0]. */
 FOOTPOINT_FN int footpoint_detail_plane_meet(const struct footpoint_detail_line *l, double root[2],
                                              double *xi)
 {
@@ -318,12 +342,12 @@ FOOTPOINT_FN int footpoint_detail_plane_meet(const struct footpoint_detail_line 
 
 #ifndef FOOTPOINT_EDGE3_SEARCH
 #define FOOTPOINT_EDGE3_SEARCH
-/* An edge is r = C + xi h / 2 + xi^2 k / 2 with h = B - A and k = (A - C) + (B - C).  With s = S - C the derivative of
- * 2 |S - r|^2 is c[0] + xi (c[1] + xi (c[2] + xi c[3])), c[3] >= 0; at its minima it rises from < 0 to > 0. */
+/* Holds an edge r = C + xi h / 2 + xi^2 k / 2 with h = B - A and k = (A - C) + (B - C). With s = S - C, the derivative
+ * of 2 |S - r|^2 is c[0] + xi (c[1] + xi (c[2] + xi c[3])), c[3] >= 0. At minima it rises from < 0 to > 0. */
 struct footpoint_detail_parabola {
     double h[2], k[2], s[2], c[4];
     double hh, size,
-        far; /* squares of lengths: h; h and k together, which is twice that of A - C and B - C; s */
+        far;      /* squares of lengths: h; h and k together, twice that for A - C and B - C; s */
     double wide[2]; /* |A - C| + |B - C|, by coordinates */
 };
 
@@ -351,7 +375,7 @@ FOOTPOINT_PART void footpoint_detail_edge3_parabola(const double *const *x,
     e->c[3] = 2.0 * kk;
 }
 
-/* The cubic at xi, its slope, and half of its second derivative. */
+/* Computes the cubic at xi, its slope, and half its second derivative. */
 FOOTPOINT_PART void footpoint_detail_edge3_values(const double c[4], double xi, double f[3])
 {
     const double bent = 3.0 * c[3] * xi;
@@ -360,10 +384,11 @@ FOOTPOINT_PART void footpoint_detail_edge3_values(const double c[4], double xi, 
     f[2] = c[2] + bent;
 }
 
-/* Bounds rounding errors, at x = |xi|: this much of the cubic, and of what a step below 1/256 leaves of it; 4 times this much of
- * its slope and of half of its second derivative.  In units of rounding, h and s are off by one, k by two of `wide`, whose
- * square is `size` at most; so c[3] is off by 12 size, c[2] by 18, c[1] by 5 and by 24 |wide| |s|, c[0] by 8 of these.  The
- * polynomial adds 6, 5, 3 and 1 roundings of its terms; 2 |wide| |s| <= size + far. */
+/* Bounds rounding errors at x = |xi|: the result bounds those of the cubic, and what a step below 1/256 leaves of it; 4
+ * times the result those of its slope and of half its second derivative.  In units of rounding, h and s are off by one,
+ * k by two of `wide`, whose square is at most `size`.  So c[3] is off by 12 size, c[2] by 18, c[1] by 5 and by 24
+ * |wide| |s|, c[0] by 8 of these.  The polynomial adds 6, 5, 3 and 1 roundings of its terms; 2 |wide| |s| <= size +
+ * far. */
 FOOTPOINT_PART double footpoint_detail_edge3_rounding(const struct footpoint_detail_parabola *e,
                                                       double x)
 {
@@ -371,16 +396,17 @@ FOOTPOINT_PART double footpoint_detail_edge3_rounding(const struct footpoint_det
            (e->size * (14.0 + x * (36.0 + x * (42.0 + x * 26.0))) + e->far * (8.0 + x * 20.0));
 }
 
-/* A step of third order, back from xi. */
+/* Returns a step of third order, back from xi. */
 FOOTPOINT_PART double footpoint_detail_edge3_step(const double f[3])
 {
     return f[0] * f[1] / (f[1] * f[1] - f[0] * f[2]);
 }
 
-/* The highest bit of what it returns is not set if a minimum is proved to lie within the promise of xi - step: the slope
- * of the cubic there is `slope` or more, c[3] being >= 0, and on the promise's way almost so; what the step leaves of the cubic,
- * and rounding, are below that times the promise, so that the cubic changes sign within.  What is no number makes the
- * tangent at xi - step none, which the gap needs, or is left below 0. */
+/* Proves a step: the highest bit of the result is not set if a minimum is proved to lie within the promise of xi -
+ * step. The slope of the cubic there is at least `slope`, as c[3] >= 0, and nearly so within the promise. Rounding, and
+ * the rest that the step leaves of the cubic, are below that times the promise, so that the cubic changes sign within
+ * it. If a number is not finite, then the tangent at xi - step, which the gap needs, is not finite, or the inequality
+ * fails. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge3_prove(const struct footpoint_detail_parabola *e,
                                                                const double f[3], double xi, double step,
                                                                double promise)
@@ -392,7 +418,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_edge3_prove(const struct foot
            footpoint_detail_fast();
 }
 
-/* The tangent, twice r', and S - r; the unit of both is that of the nodes. */
+/* Computes the tangent, twice r', and S - r, both in the unit of the nodes. */
 FOOTPOINT_PART void footpoint_detail_edge3_frame(const struct footpoint_detail_parabola *e, double xi,
                                                  double t[2], double d[2])
 {
@@ -405,7 +431,7 @@ FOOTPOINT_PART void footpoint_detail_edge3_frame(const struct footpoint_detail_p
     }
 }
 
-/* The gap; the highest bit of what it returns is set where the edge turns back, so that there is no normal. */
+/* Computes the gap; the highest bit of the result is set if the edge turns back, so that there is no normal. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge3_gap(const struct footpoint_detail_parabola *e,
                                                              double xi, double *gap)
 {
@@ -417,13 +443,13 @@ FOOTPOINT_PART unsigned long long footpoint_detail_edge3_gap(const struct footpo
     return footpoint_detail_bits(tt - 1e-20 * e->size) | footpoint_detail_outside(tt);
 }
 
-/* xi of the slave node's projection on AB, where steps begin. */
+/* Returns xi of the slave node's projection on AB, from which steps start. */
 FOOTPOINT_PART double footpoint_detail_edge3_begin(const struct footpoint_detail_parabola *e)
 {
     return -e->c[0] / e->hh;
 }
 
-/* One step, and another whose end is proved. */
+/* Takes a step, and another whose end is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge3_proceed(const struct footpoint_detail_parabola *e,
                                                                  double promise, double *xi)
 {
@@ -446,7 +472,7 @@ FOOTPOINT_PART void footpoint_detail_edge3_at(const double *const *x, double *xi
     (void)footpoint_detail_edge3_proceed(&e, 1.0, xi);
 }
 
-/* The highest bit of what it returns is set unless xi is proved and there is a gap. */
+/* Finds the foot point.  The highest bit of the result is set unless xi is proved and there is a gap. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge3_locate(const double *const *x, double promise, double *xi,
                                                                 double *gap)
 {
@@ -458,7 +484,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_edge3_locate(const double *co
     return flaw | footpoint_detail_edge3_gap(&e, *xi, gap);
 }
 
-/* The same from the last answer. */
+/* Finds the foot point from the last answer. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge3_follow(const double *const *x, double promise, double *xi,
                                                                 double *gap)
 {
@@ -471,7 +497,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_edge3_follow(const double *co
            footpoint_detail_above(*xi - from, 1.0);
 }
 
-/* Shape functions, their derivatives and second derivatives. */
+/* Computes shape functions, their derivatives and second derivatives. */
 FOOTPOINT_PART void footpoint_detail_edge3_shape(double xi, double *phi, double *slope, double *bend)
 {
     phi[0] = 0.5 * xi * (xi - 1.0);
@@ -484,7 +510,7 @@ FOOTPOINT_PART void footpoint_detail_edge3_shape(double xi, double *phi, double 
     bend[2] = -2.0;
 }
 
-/* The line through the slave node in the direction p, and S - r. */
+/* Computes the line through the slave node in the direction p, and S - r. */
 FOOTPOINT_PART void footpoint_detail_edge3_line(const double *const *x, const double p[2],
                                                 struct footpoint_detail_line *l)
 {
@@ -505,8 +531,8 @@ FOOTPOINT_PART void footpoint_detail_edge3_way(const double *const *x, double xi
     footpoint_detail_edge3_frame(&e, xi, t, d);
 }
 
-/* A root of the cubic between low, where it is < 0, and high, where it is > 0: steps of Newton's, or halves where these
- * lead out. */
+/* Returns a root of the cubic between low, where it is < 0, and high, where it is > 0, by Newton's steps, or by halving
+ * if these lead outside. */
 FOOTPOINT_FN double footpoint_detail_edge3_between(const double c[4], double low, double high)
 {
     double xi = 0.5 * (low + high), f[3];
@@ -527,7 +553,7 @@ FOOTPOINT_FN double footpoint_detail_edge3_between(const double c[4], double low
     return xi;
 }
 
-/* A minimum of the distance to the whole curve, downhill from xi. */
+/* Returns a minimum of the distance to the whole curve, downhill from xi. */
 FOOTPOINT_FN double footpoint_detail_edge3_downhill(const double c[4], double xi)
 {
     double f[3], other = xi, step = 0.25;
@@ -543,7 +569,7 @@ FOOTPOINT_FN double footpoint_detail_edge3_downhill(const double c[4], double xi
                  : footpoint_detail_edge3_between(c, other, xi);
 }
 
-/* The square of the distance. */
+/* Returns the squared distance. */
 FOOTPOINT_FN double footpoint_detail_edge3_square(const struct footpoint_detail_parabola *e, double xi)
 {
     double t[2], d[2];
@@ -551,8 +577,8 @@ FOOTPOINT_FN double footpoint_detail_edge3_square(const struct footpoint_detail_
     return footpoint_detail_plane_dot(d, d);
 }
 
-/* The cubic, from tangent and distance, and how far rounding leads that astray.  Tangents are off by 2 + 8 x units of `wide`,
- * with x = |xi|, distances by 2 of s and by 2 x + 3 x^2 of `wide`. */
+/* Returns the cubic from tangent and distance, and bounds its rounding error.  Tangents are off by 2 + 8 x units of
+ * `wide`, with x = |xi|, distances by 2 of s and by 2 x + 3 x^2 of `wide`. */
 FOOTPOINT_FN double footpoint_detail_edge3_sharp(const struct footpoint_detail_parabola *e, double xi,
                                                  double *error)
 {
@@ -567,8 +593,8 @@ FOOTPOINT_FN double footpoint_detail_edge3_sharp(const struct footpoint_detail_p
     return -2.0 * footpoint_detail_plane_dot(t, d);
 }
 
-/* One more step, from there, to xi; the highest bit of what it returns is set unless a minimum is proved to lie within the
- * promise of that. */
+/* Takes one more step from there to xi.  The highest bit of the result is set unless a minimum is proved to lie within
+ * the promise of xi. */
 FOOTPOINT_FN unsigned long long footpoint_detail_edge3_check(const struct footpoint_detail_parabola *e,
                                                              double promise, double *xi)
 {
@@ -587,7 +613,7 @@ FOOTPOINT_FN unsigned long long footpoint_detail_edge3_check(const struct footpo
            footpoint_detail_infinite(left) | footpoint_detail_fast();
 }
 
-/* The minimum downhill from the nearest of nine points of the edge. */
+/* Finds the minimum downhill from the nearest of nine points of the edge. */
 FOOTPOINT_COLD int footpoint_detail_edge3_repair(const double *const *x, double promise, double *xi,
                                                  double *gap)
 {
@@ -611,7 +637,7 @@ FOOTPOINT_COLD int footpoint_detail_edge3_repair(const double *const *x, double 
     return unproved ? FOOTPOINT_UNPROVED : FOOTPOINT_OK;
 }
 
-/* xi on the edge, the nearest to any number. */
+/* Returns xi clamped to the edge. */
 FOOTPOINT_PART double footpoint_detail_edge3_clamp(double xi, int *region)
 {
     const int left = (int)(footpoint_detail_bits(xi + 1.0) >> 63);
@@ -620,14 +646,14 @@ FOOTPOINT_PART double footpoint_detail_edge3_clamp(double xi, int *region)
     return left ? -1.0 : right ? 1.0 : xi;
 }
 
-/* How fast the distance falls inwards at an end, or in either direction, where the cubic is f. */
+/* Returns how fast the distance falls inwards at an end, or in either direction, if the cubic is f. */
 FOOTPOINT_PART double footpoint_detail_edge3_fall(double f, int region)
 {
     return region == 1 ? -f : region == 2 ? f : fabs(f);
 }
 
-/* The highest bit of what it returns is not set if the closest point lies within the promise of where the distance falls
- * like that, off by `error` at most. */
+/* Proves a closest point: the highest bit of the result is not set if it lies within the promise of the place at which
+ * the distance falls at the rate `fall`, off by at most `error`. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge3_closed(double fall, double error, double low,
                                                                 double promise)
 {
@@ -637,7 +663,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_edge3_closed(double fall, dou
            footpoint_detail_fast();
 }
 
-/* The distance, with its sign, of d = S - r over the tangent t. */
+/* Returns the signed distance for d = S - r over the tangent t. */
 FOOTPOINT_PART double footpoint_detail_edge3_distance(const struct footpoint_detail_parabola *e,
                                                       const double t[2], const double d[2], int region)
 {
@@ -648,7 +674,8 @@ FOOTPOINT_PART double footpoint_detail_edge3_distance(const struct footpoint_det
     return behind ? -dist : dist;
 }
 
-/* Two steps, and the end beyond which they lead; the highest bit of what it returns is set unless that is proved. */
+/* Takes two steps, and moves to the end beyond which they lead; the highest bit of the result is set unless that is
+ * proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge3_near(const double *const *x, double promise, double *xi,
                                                               double *dist, int *region)
 {
@@ -669,7 +696,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_edge3_near(const double *cons
            footpoint_detail_bits(tt - 1e-5 * e.size) | footpoint_detail_infinite(tt + *dist);
 }
 
-/* The least value of q on the edge, which is convex: the lowest point of its tangent where it is least. */
+/* Returns a lower bound of q, which is convex, on the edge: the lowest point of its tangent at its least value. */
 FOOTPOINT_FN double footpoint_detail_edge3_lowest(const struct footpoint_detail_parabola *e,
                                                   const double f[3], double p)
 {
@@ -685,8 +712,9 @@ FOOTPOINT_FN double footpoint_detail_edge3_lowest(const struct footpoint_detail_
     return (left < right ? left : right) - 40.0 * footpoint_detail_edge3_rounding(e, 1.0);
 }
 
-/* Whether the square of the distance, times 4, is above `least` between low and high: on pieces that get narrower where bounds
- * about their middles do not suffice.  The bound on a piece is off by 1200 units of size and far, squares by 104. */
+/* Returns 1 if the square of the distance, times 4, is above `least` between low and high, on pieces that get narrower
+ * if bounds about their middles do not suffice.  The bound on a piece is off by 1200 units of size and far, squares by
+ * 104. */
 FOOTPOINT_FN int footpoint_detail_edge3_above(const struct footpoint_detail_parabola *e, double least,
                                               double low, double high)
 {
@@ -709,7 +737,7 @@ FOOTPOINT_FN int footpoint_detail_edge3_above(const struct footpoint_detail_para
     return low >= high;
 }
 
-/* Whether an end is the closest point: the distance rises for a while, and is greater beyond. */
+/* Returns 1 if an end is the closest point: the distance rises for a while, and is greater beyond. */
 FOOTPOINT_FN int footpoint_detail_edge3_ends(const struct footpoint_detail_parabola *e,
                                              const double f[3], int region)
 {
@@ -723,7 +751,8 @@ FOOTPOINT_FN int footpoint_detail_edge3_ends(const struct footpoint_detail_parab
                        : footpoint_detail_edge3_above(e, square, -1.0, 1.0 - first);
 }
 
-/* Candidates for the closest point: the ends, and where the cubic rises through 0 between its extremes; returns how many. */
+/* Finds candidates for the closest point: the ends, and the places at which the cubic rises through 0 between its
+ * extremes.  Returns their number. */
 FOOTPOINT_FN int footpoint_detail_edge3_candidates(const double c[4], double p[5])
 {
     const double under = c[2] * c[2] - 3.0 * c[3] * c[1];
@@ -751,7 +780,7 @@ FOOTPOINT_FN int footpoint_detail_edge3_candidates(const double c[4], double p[5
     return n;
 }
 
-/* The tangent, at an end where that is almost 0 a little inside; of any length. */
+/* Computes the tangent, of any length; if it almost vanishes at an end, a little inside. */
 FOOTPOINT_FN void footpoint_detail_edge3_side(const struct footpoint_detail_parabola *e, double xi,
                                               double t[2])
 {
@@ -766,12 +795,13 @@ FOOTPOINT_FN void footpoint_detail_edge3_side(const struct footpoint_detail_para
     }
 }
 
-/* Whether another candidate is as near as p[best], elsewhere, and no point is nearer than both. */
+/* Returns 1 if another candidate is as near as p[best], elsewhere, and no point is nearer than both. */
 FOOTPOINT_FN int footpoint_detail_edge3_tie(const struct footpoint_detail_parabola *e,
                                             const double *p, int n, int best)
 {
     const double dist = sqrt(footpoint_detail_edge3_square(e, p[best]));
-    const double tie = 0.9 * 1e-10 * sqrt(footpoint_detail_plane_dot(e->h, e->h));
+    const double rounding = 16.0 * 1.12e-16 * (dist + sqrt(e->size));
+    const double tie = 0.9 * 1e-10 * sqrt(footpoint_detail_plane_dot(e->h, e->h)) - rounding;
     const double least = dist > tie ? 4.0 * (dist - tie) * (dist - tie) : -1.0;
     int i, found = 0;
     for (i = 0; i < n; i++) {
@@ -782,7 +812,7 @@ FOOTPOINT_FN int footpoint_detail_edge3_tie(const struct footpoint_detail_parabo
                 (sqrt(footpoint_detail_plane_dot(d, d)) < dist + 0.9 * tie &&
                  fabs(d[0] - to[0]) + fabs(d[1] - to[1]) > 1e-6 * (e->wide[0] + e->wide[1]));
     }
-    return found && footpoint_detail_edge3_above(e, least, -1.0, 1.0);
+    return found && tie > 0.0 && footpoint_detail_edge3_above(e, least, -1.0, 1.0);
 }
 
 FOOTPOINT_COLD int footpoint_detail_edge3_seek(const double *const *x, double promise, double *xi,
@@ -819,7 +849,7 @@ FOOTPOINT_COLD int footpoint_detail_edge3_seek(const double *const *x, double pr
     return footpoint_detail_edge3_tie(&e, p, n, best) ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_UNPROVED;
 }
 
-/* The tangent at an end, of any length. */
+/* Computes the tangent at an end, of any length. */
 FOOTPOINT_PART void footpoint_detail_edge3_tangent(const double *const *x, double xi, double t[2])
 {
     struct footpoint_detail_parabola e;
@@ -827,7 +857,7 @@ FOOTPOINT_PART void footpoint_detail_edge3_tangent(const double *const *x, doubl
     footpoint_detail_edge3_side(&e, xi, t);
 }
 
-/* Whether no point of the edge is nearer than dist by more than 1e-10. */
+/* Returns 1 if no point of the edge is nearer than dist by more than 1e-10. */
 FOOTPOINT_FN int footpoint_detail_edge3_at_least(const double *const *x, double dist)
 {
     struct footpoint_detail_parabola e;
@@ -837,8 +867,8 @@ FOOTPOINT_FN int footpoint_detail_edge3_at_least(const double *const *x, double 
            footpoint_detail_edge3_above(&e, least > 0.0 ? 4.0 * least * least : -1.0, -1.0, 1.0);
 }
 
-/* Nodes and slave node in a unit of length in which the edge is about 1 long; FOOTPOINT_ERR_DOMAIN if xS is farther away than
- * is good for products. */
+/* Copies nodes and slave node in a unit of length in which the edge is about 1 long.  Returns FOOTPOINT_ERR_DOMAIN if
+ * xS is too far away for products. */
 FOOTPOINT_FN int footpoint_detail_edge3_unit(const double *const *x, double (*y)[2], const double **z,
                                              int *exponent)
 {
@@ -855,7 +885,7 @@ FOOTPOINT_FN int footpoint_detail_edge3_unit(const double *const *x, double (*y)
                : FOOTPOINT_OK;
 }
 
-/* From `at`, where the quick way ended, once more; then in full. */
+/* Searches again from `at`, where the quick way ended, then in full. */
 FOOTPOINT_COLD int footpoint_detail_edge3_answer(const double *const *x, double promise, double at,
                                                  double *xi, double *gap)
 {
@@ -894,7 +924,7 @@ FOOTPOINT_COLD int footpoint_detail_edge3_nearest(const double *const *x, double
     return status;
 }
 
-/* The closest point of one edge. */
+/* Finds the closest point of one edge. */
 FOOTPOINT_PART int footpoint_detail_edge3_closest(const double *const *x, double promise, double *xi,
                                                   double *dist, int *region)
 {
@@ -931,7 +961,7 @@ FOOTPOINT_FN void footpoint_detail_edge3_add_tangents(const double *const *segme
     }
 }
 
-/* Whether xS lies behind the edges that meet at the end r of one of n: behind the sum of their unit normals. */
+/* Returns 1 if xS lies behind the edges, of n, that meet at the end r: behind the sum of their unit normals. */
 FOOTPOINT_FN int footpoint_detail_edge3_corner(size_t n, const double *const *x, const double *xS,
                                                const double *r)
 {
@@ -944,7 +974,7 @@ FOOTPOINT_FN int footpoint_detail_edge3_corner(size_t n, const double *const *x,
     return footpoint_detail_plane_behind(d, sum, 4.0);
 }
 
-/* Whether no point of the edge is nearer than that by more than 1e-10 of the largest difference of coordinates. */
+/* Returns 1 if no point of the edge is nearer than dist by more than 1e-10 of the largest difference of coordinates. */
 FOOTPOINT_COLD int footpoint_detail_edge3_is_nearest(const double *const *x, double dist)
 {
     double y[4][2];
@@ -955,7 +985,7 @@ FOOTPOINT_COLD int footpoint_detail_edge3_is_nearest(const double *const *x, dou
     return footpoint_detail_edge3_at_least(z, ldexp(dist, -exponent));
 }
 
-/* The nearest of n edges. */
+/* Finds the nearest of n edges. */
 FOOTPOINT_FN int footpoint_detail_edge3_closest_of(size_t n, const double *const *x, const double *xS,
                                                    double promise, double *xi, double *dist, int *region,
                                                    size_t *which)
@@ -999,37 +1029,41 @@ FOOTPOINT_FN int footpoint_detail_edge3_closest_of(size_t n, const double *const
 }
 #endif
 
-/* Contact in the plane: edges of 3 nodes xA, xB, ..., each (x, y); A lies at xi = -1, B at xi = 1, and C, the middle node
- * of an edge of three, at xi = 0.  The body lies to the left of A -> B, as Abaqus numbers the faces of plane elements: the
- * normal n = (t_y, -t_x) / |t| of the tangent t points to where slave nodes come from.
+/* Contact in the plane: edges of 3 nodes xA, xB, ..., each (x, y); A lies at xi = -1, B at xi = 1, and C, the
+ * middle node of an edge of three, at xi = 0. The body lies to the left of A -> B, as Abaqus numbers the faces of plane
+ * elements: the normal n = (t_y, -t_x) / |t| of the tangent t points to the side of the slave nodes.
  *
- * NAME_at:  xi, dimensionless; nothing is checked.
- * NAME:     xi and the gap (xS - r) . n at the foot point r (mesh length, > 0 open), both untouched if the status is < 0.
- *           FOOTPOINT_OK only if a minimum of the distance to the whole curve, which goes on beyond the ends, is proved to
- *           lie within NAME_NAME_PROMISE, a macro, of xi, times |xi| if that is greater than 1, rounding errors included, in any
- *           order of summation.  FOOTPOINT_UNPROVED: xi and gap are where the search ended; under -ffast-math nothing is
- *           proved.  FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE: all nodes are one point, or there is no normal
- *           there, or no number.  A minimum need not be the nearest point of the edge: see NAME_closest.
- * NAME_from:  NAME from the last answer: xi must be set, or NaN.  If steps from there prove nothing, or lead farther than
- *           half of the edge, it calls NAME.  If there are two minima, the answer may be the other one.
+ * NAME_at:  computes xi, dimensionless; checks nothing.
+ * NAME:     computes xi and the gap (xS - r) . n at the foot point r (mesh length, > 0 open).  FOOTPOINT_OK is proved,
+ *           rounding errors included, in any order of summation: a minimum of the distance to the whole curve, which
+ *           continues beyond the ends, lies within NAME_PROMISE, a macro, of xi, times |xi| if that is greater than 1.
+ *           FOOTPOINT_UNPROVED: xi and gap are those at the end of the search; under -ffast-math nothing is proved.
+ *           On error xi and gap are untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE if all nodes are one
+ *           point, or there is no normal there, or a result is no number.  A minimum need not be the nearest point of
+ *           the edge: see NAME_closest.
+ * NAME_from:  does the same from the last answer: xi must be set, or NaN.  If steps from there prove nothing, or lead
+ *           farther than half of the edge, it calls NAME.  If there are two minima, the answer may be the other one.
  * NAME_closest:  finds the closest point r of the edge, its ends included: xi; dist, the distance |xS - r|, < 0 if xS lies
- *           behind the edge; and region, where r lies: 0 inside, 1 end A, 2 end B.  FOOTPOINT_OK is proved: the closest point
- *           lies within NAME_NAME_PROMISE of xi, and in `region`, unless it is within 1e-9 of an end.  FOOTPOINT_NOT_UNIQUE
- *           is proved, too: no point is nearer than r by more than 1e-10 |AB|, and another, elsewhere in the plane, is
- *           not farther by more.  FOOTPOINT_UNPROVED: r is the nearest point found.
+ *           behind the edge; and region, the place of r: 0 inside, 1 end A, 2 end B.  FOOTPOINT_OK is proved: the closest
+ *           point lies within NAME_PROMISE of xi, and in `region`, unless it is within 1e-9 of an end.
+ *           FOOTPOINT_NOT_UNIQUE is proved, too: no point is nearer than r by more than 1e-10 |AB|, and another,
+ *           elsewhere in the plane, is not farther by more.  FOOTPOINT_UNPROVED: r is the nearest point found.
  *           Behind means (xS - r) . n < 0 for the normal n at r or, if the tangent at r is a thousand times shorter than
- *           at a thousandth (1/1024) of the way to the middle, for the normal there.  At an end xS is behind only by more
- *           than a small angle, 1e-12, and by more than rounding.
- *           On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE, if all nodes are one point; and
- *           FOOTPOINT_ERR_DOMAIN, if r is farther from xS than 1e149 edges, or the distance is no number.
- * NAME_closest_of:  finds the nearest of n edges, the nodes of edge i being x[3 i] and on; which is its number.  At an end
- *           dist < 0 if xS lies behind the sum of the unit normals of all edges that have that end.  Nodes are the same if
- *           their coordinates are.  FOOTPOINT_UNPROVED also if the answer of any edge is not proved.  Edges without an answer
- *           are passed over; if all are, the status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0.
- * NAME_n, NAME_checked_n, NAME_from_n, NAME_closest_n:  NAME_at, NAME, NAME_from and NAME_closest for n pairs, each with its
- *           status; x[2 k + i] is the column of coordinate i of vector k, xA, xB, xC, xS.  If the status is < 0, the other
- *           outputs may be overwritten.  Outputs overlap nothing else.
- * NAME_over_n:  NAME for n slave nodes over one edge: nodes are its vectors, x the two columns of the slave nodes. */
+ *           at a thousandth (1/1024; float: 1/32) of the way to the middle, for the normal there.  At an end xS is behind
+ *           only by more than a small angle, 1e-12, and by more than rounding.
+ *           On error all outputs are untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE if all nodes are one
+ *           point; FOOTPOINT_ERR_DOMAIN if r is farther from xS than 1e149 edges (float: 1e14), or the distance is no
+ *           number.
+ * NAME_closest_of:  finds the nearest of n edges, the nodes of edge i being x[3 i] and on; which is its number.  At an
+ *           end dist < 0 if xS lies behind the sum of the unit normals of all edges that share that end.  Nodes with equal
+ *           coordinates are the same node.  FOOTPOINT_UNPROVED also if the answer of any edge is not proved.  Edges
+ *           without an answer are skipped; if no edge has an answer, the status is the last edge's, and
+ *           FOOTPOINT_ERR_DOMAIN if n = 0.
+ * NAME_n, NAME_checked_n, NAME_from_n, NAME_closest_n:  do the same as NAME_at, NAME, NAME_from and NAME_closest for n
+ *           pairs, each with its status; x[2 k + i] is the column of coordinate i of vector k, xA, xB, xC, xS.  If the status
+ *           is < 0, the other outputs may be overwritten.  Outputs must not overlap anything else.
+ * NAME_over_n:  does the same as NAME for n slave nodes over one edge: nodes are its vectors, x the two columns of the
+ *           slave nodes. */
 
 #define FOOTPOINT_EDGE3_ACCURATE_PROMISE 1e-12 /* the largest error of xi behind FOOTPOINT_OK */
 
@@ -1189,25 +1223,26 @@ FOOTPOINT_LOOP void footpoint_edge3_accurate_closest_n(size_t n, const double *c
         }
 }
 
-/* footpoint_edge3_place:  at xi, which need not be a foot point: phi[3], shape functions; r_xi[2], tangent; normal[2], of length 1;
- *           gap, (xS - r) . normal.
- * footpoint_edge3_gradients:  at a foot point xi: d_xi[8] and d_gap[8], derivatives of xi and of the gap by the
- *           coordinates of xA, xB, xC, xS.
- * footpoint_edge3_hessian:  likewise d_normal[2][8], of each component of the normal by all coordinates, and hessian, second
- *           derivatives of the gap, packed: by coordinates r and c, r >= c, at [r (r + 1) / 2 + c].
- *           Outputs may be NULL.  On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE: no normal,
- *           tangents that are not between 1e-77 and 1e77 long or, of derivatives, a foot point at the centre of
- *           curvature. */
+/* footpoint_edge3_place:  computes at xi, which need not be a foot point: phi[3], shape functions; r_xi[2], tangent;
+ *           normal[2], of length 1; gap, (xS - r) . normal.
+ * footpoint_edge3_gradients:  computes at a foot point xi: d_xi[8] and d_gap[8], derivatives of xi and of
+ *           the gap by the coordinates of xA, xB, xC, xS.
+ * footpoint_edge3_hessian:  also computes d_normal[2][8], derivatives of each component of the normal by all
+ *           coordinates, and hessian, second derivatives of the gap by coordinates r and c, r >= c, at [r (r + 1) / 2 +
+ *           c].
+ *           Outputs may be NULL. On error all outputs are untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE
+ *           if there is no normal, if tangents are not between 1e-77 and 1e77 long or, for derivatives, if the foot
+ *           point is the centre of curvature. */
 
-/* Sides of the edge of one place, with what derivatives are made of. */
+/* Holds an edge at one place, and the parts of derivatives. */
 struct footpoint_detail_edge3_rates {
     double phi[4],
-        slope[4]; /* factors of the vectors in r - xS, and their derivatives by xi */
+        slope[4]; /* coefficients of the vectors in r - xS, and their derivatives by xi */
     double t[2], bend[2], n[2], gap, tt,
         stiff; /* r', r'', normal; half of (|xS - r|^2)'' at a foot point */
 };
 
-/* The highest bit of what it returns is set if there is no normal, or something is not finite. */
+/* Computes the values at xi.  The highest bit of the result is set if there is no normal, or a value is not finite. */
 FOOTPOINT_PART unsigned long long footpoint_detail_edge3_rates_at(const double *const *x, double xi,
                                                                   struct footpoint_detail_edge3_rates *e)
 {
@@ -1238,7 +1273,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_edge3_rates_at(const double *
            footpoint_detail_infinite(e->gap + xi);
 }
 
-/* The status of a place that has no rates, or of derivatives where the foot point is not unique. */
+/* Returns the status of a place without values, or of derivatives if the foot point is not unique. */
 FOOTPOINT_PART int footpoint_detail_edge3_placed(const double *const *x, double xi,
                                                  const struct footpoint_detail_edge3_rates *e,
                                                  unsigned long long flaw, int derivatives)
@@ -1276,7 +1311,7 @@ FOOTPOINT_FN int footpoint_edge3_place(const double xA[2], const double xB[2], c
     return FOOTPOINT_OK;
 }
 
-/* The derivative of xi by coordinate j of vector k. */
+/* Returns the derivative of xi by coordinate j of vector k. */
 FOOTPOINT_PART double footpoint_detail_edge3_d_xi(const struct footpoint_detail_edge3_rates *e, int k,
                                                   int j)
 {
@@ -1311,8 +1346,7 @@ FOOTPOINT_FN int footpoint_edge3_hessian(const double xA[2], const double xB[2],
     int i, j;
     if (status != FOOTPOINT_OK)
         return status;
-    for (i = 0; i < 8;
-         i++) { /* of xi, and of the normal: that of coordinate a is turn t_a */
+    for (i = 0; i < 8; i++) { /* of xi, and of the normal: by coordinate a, turn t_a */
         along[i] = footpoint_detail_edge3_d_xi(&e, i / 2, i % 2);
         turn[i] =
             -(e.slope[i / 2] * e.n[i % 2] + footpoint_detail_plane_dot(e.bend, e.n) * along[i]) /
@@ -1328,16 +1362,18 @@ FOOTPOINT_FN int footpoint_edge3_hessian(const double xA[2], const double xB[2],
     return FOOTPOINT_OK;
 }
 
-/* footpoint_edge3_along:  where the line through xS in the direction `along`, of any length but 0, meets the edge: xi, and dist with
- *           xS = r(xi) + dist along / |along|.  FOOTPOINT_OK is proved: the line meets the curve within FOOTPOINT_ALONG_PROMISE of xi,
- *           and the edge nowhere else; FOOTPOINT_NOT_UNIQUE, it meets the edge twice, the point that is nearer to xS is the
- *           answer; FOOTPOINT_OUTSIDE, it meets the edge nowhere, but the curve beyond its ends within the promise of xi, times
- *           |xi|.  FOOTPOINT_UNPROVED: any of these, as where it nearly touches the edge.  xi and dist are untouched where it
- *           returns FOOTPOINT_ERR_DOMAIN: it does not meet the curve, or there is no number; FOOTPOINT_ERR_DEGENERATE: no
- *           length, no direction, or that of a straight edge; and FOOTPOINT_ERR_NOT_FINITE.
- * footpoint_edge3_along_n:  the same for n pairs, each with its status and its direction, two columns. */
+/* footpoint_edge3_along:  finds the point at which the line through xS in the direction `along`, of any length but 0, meets the
+ *           edge: xi, and dist with xS = r(xi) + dist along / |along|. FOOTPOINT_OK is proved: the line meets the curve
+ *           within FOOTPOINT_ALONG_PROMISE of xi, and the edge nowhere else. FOOTPOINT_NOT_UNIQUE is proved: it meets the edge
+ *           twice, and the answer is the point nearer to xS. FOOTPOINT_OUTSIDE is proved: it does not meet the edge,
+ *           but the curve beyond its ends within the promise of xi, times |xi|. FOOTPOINT_UNPROVED: any of these, for
+ *           example if the line nearly touches the edge.
+ *           On error xi and dist are untouched: FOOTPOINT_ERR_DOMAIN if the line does not meet the curve, or a result
+ *           is not finite; FOOTPOINT_ERR_DEGENERATE if edge or direction have no length, or the line is parallel to a
+ *           straight edge; and FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_edge3_along_n:  does the same for n pairs, each with its status and its direction, two columns. */
 
-/* The distance at xi, times |p|. */
+/* Returns the distance at xi, times |p|. */
 FOOTPOINT_PART double footpoint_detail_edge3_away(const double *const *x, const double p[2], double xi)
 {
     double d[2];
@@ -1345,7 +1381,7 @@ FOOTPOINT_PART double footpoint_detail_edge3_away(const double *const *x, const 
     return footpoint_detail_plane_dot(d, p);
 }
 
-/* In units of length in which edge and direction are about 1 long. */
+/* Searches in units of length in which edge and direction are about 1 long. */
 FOOTPOINT_FN int footpoint_detail_edge3_along(const double *const *x, const double p[2], double *xi,
                                               double *dist)
 {
@@ -1370,17 +1406,11 @@ FOOTPOINT_FN int footpoint_edge3_along(const double xA[2], const double xB[2], c
     double y[4][2], p[2], at, away;
     const double *z[4];
     int exponent = 0, turn, status = footpoint_detail_edge3_unit(x, y, z, &exponent);
-    if (status == FOOTPOINT_ERR_NOT_FINITE ||
-        (footpoint_detail_infinite(along[0]) | footpoint_detail_infinite(along[1])) >> 63)
+    const int turned = footpoint_detail_plane_direction(along, p, &turn);
+    if (status == FOOTPOINT_ERR_NOT_FINITE || turned == FOOTPOINT_ERR_NOT_FINITE)
         return FOOTPOINT_ERR_NOT_FINITE;
-    if (status != FOOTPOINT_OK)
-        return status;
-    away = footpoint_detail_greater(fabs(along[0]), fabs(along[1]));
-    if (footpoint_detail_below(away, 2.2250738585072014e-308) >> 63)
-        return FOOTPOINT_ERR_DEGENERATE;
-    (void)frexp(away, &turn);
-    p[0] = ldexp(along[0], -turn);
-    p[1] = ldexp(along[1], -turn);
+    if (status != FOOTPOINT_OK || turned != FOOTPOINT_OK)
+        return status != FOOTPOINT_OK ? status : turned;
     status = footpoint_detail_edge3_along(z, p, &at, &away);
     if (status < FOOTPOINT_OK)
         return status;
@@ -1402,6 +1432,168 @@ FOOTPOINT_FN void footpoint_edge3_along_n(size_t n, const double *const x[8],
         const double q[2] = {along[0][i], along[1][i]};
         status[i] = footpoint_edge3_along(p[0], p[1], p[2], p[3], q, &xi[i], &dist[i]);
     }
+}
+
+/* footpoint_edge3_gradients_along:  computes, at xi as footpoint_edge3_along found it, dist and the derivatives d_xi and d_dist of xi and
+ *           dist by the 8 coordinates of xA, xB, xC, xS and, last, the two of `along`.
+ * footpoint_edge3_hessian_along:  also computes second derivatives h_xi and h_dist, packed: by coordinates r and c, r >= c, at
+ *           [r (r + 1) / 2 + c].
+ *           Outputs may be NULL.  On error all outputs are untouched: FOOTPOINT_ERR_NOT_FINITE if an input or a result is
+ *           not finite; FOOTPOINT_ERR_DEGENERATE if edge or direction have no length, or the line is so nearly parallel to
+ *           the edge that rounding may cost derivatives more than about 1e-9; FOOTPOINT_ERR_DOMAIN if xS is too far away. */
+
+/* Holds the parts of derivatives. Differentiating r(xi) + t q = xS by coordinates i and e gives {xi, t}_i = - v .
+ * (phi_i - t q_i) and {xi, t}_ie = - v . [...]. The rows v satisfy v . r_xi = {1, 0} and v . q = {0, 1}. The bracket is
+ * the sum of r_xixi xi_i xi_e, (f_i . u_e) w_i, (f_e . u_i) w_e and t q_ie. */
+struct footpoint_detail_edge3_turns {
+    double u[2][8 + 2]; /* first derivatives of xi and t, the distance */
+    double w[2][8 + 2]; /* v times those of r(xi) and q at fixed xi and t, and */
+    double f[2][8 + 2]; /* their slopes: phi_xi; 1 */
+    double c[2];                  /* v . r_xixi */
+    double q[2], t, unit, over;   /* t is in units of `unit`, over: 1 over the direction's length */
+};
+
+/* Computes the parts by the direction, whose two coordinates come last. */
+FOOTPOINT_PART void footpoint_detail_edge3_turn_direction(struct footpoint_detail_edge3_turns *s,
+                                                          const double *const *v)
+{
+    int e, i, j;
+    for (j = 0; j < 2; j++)
+        for (i = 0; i < 2; i++) {
+            const double turn = s->over * (v[j][i] - (j ? s->q[i] : 0.0));
+            e = 8 + i;
+            s->u[j][e] = -s->t * turn;
+            s->w[j][e] = (j ? s->unit : 1.0) * turn;
+            s->f[j][e] = (double)j;
+        }
+}
+
+/* Computes the parts from t, q, unit and over, for an edge about 1 long. The highest bit of the result is set if the
+ * line is so nearly parallel to the edge that rounding may cost derivatives more than about 1e-9. */
+FOOTPOINT_PART unsigned long long footpoint_detail_edge3_turn(const double *const *x, double xi,
+                                                              struct footpoint_detail_edge3_turns *s)
+{
+    double phi[4], slope[4], bend[3], a[2], b[2], edges = 0.0, v[2][2], det;
+    const double *const rows[2] = {v[0], v[1]};
+    int e, j, k;
+    footpoint_detail_edge3_shape(xi, phi, slope, bend);
+    phi[3] = -1.0;
+    slope[3] = 0.0;
+    for (j = 0; j < 2; j++) {
+        a[j] = b[j] = 0.0;
+        for (k = 1; k < 3; k++) {
+            const double edge = x[k][j] - x[0][j];
+            a[j] += slope[k] * edge;
+            b[j] += bend[k] * edge;
+            edges += edge * edge;
+        }
+    }
+    det = footpoint_detail_plane_cross(a, s->q);
+    v[0][0] = s->q[1] / det;
+    v[0][1] = -s->q[0] / det;
+    v[1][0] = -a[1] / det;
+    v[1][1] = a[0] / det;
+    for (j = 0; j < 2; j++) {
+        s->c[j] = (j ? s->unit : 1.0) * footpoint_detail_plane_dot(v[j], b);
+        for (e = 0; e < 8; e++) {
+            s->w[j][e] = (j ? 1.0 : 1.0 / s->unit) * v[j][e % 2];
+            s->u[j][e] = -phi[e / 2] * (v[j][e % 2] / s->unit);
+            s->f[j][e] = j ? 0.0 : slope[e / 2];
+        }
+    }
+    footpoint_detail_edge3_turn_direction(s, rows);
+    return footpoint_detail_bits(det * det - 6.4e-10 * (1.0 + xi * xi) * edges) |
+           footpoint_detail_infinite(det);
+}
+
+/* Bounds second derivatives number j from above. */
+FOOTPOINT_PART double footpoint_detail_edge3_bend_most(const struct footpoint_detail_edge3_turns *s,
+                                                       int j)
+{
+    double u = 0.0, w = s->unit * s->over, f = 1.0;
+    int i;
+    for (i = 0; i < 8 + 2; i++) {
+        w += fabs(s->w[j][i]);
+        u += fabs(s->u[0][i]) + fabs(s->u[1][i]);
+        f += fabs(s->f[0][i]);
+    }
+    return 2.0 * (u * fabs(s->c[j]) + w * f) * u + 2.0 * fabs(s->t * s->over) * w;
+}
+
+/* Computes second derivatives number j, packed. If both coordinates are of the direction, t times v times the second
+ * derivatives of q is added. */
+FOOTPOINT_PART void footpoint_detail_edge3_bend(const struct footpoint_detail_edge3_turns *s, int j,
+                                                double *row)
+{
+    const double *const w = s->w[j], *const q = s->q, straight = j ? s->unit * s->over : 0.0;
+    int e, i;
+    for (i = 0; i < 8 + 2; row += ++i) {
+        const double x = s->u[0][i], t = s->u[1][i];
+        const double a = s->c[j] * x + w[i] * s->f[0][i], b = w[i] * s->f[1][i];
+        for (e = 0; e <= i; e++)
+            row[e] = -(a * s->u[0][e] + b * s->u[1][e] + w[e] * (x * s->f[0][e] + t * s->f[1][e]));
+        for (e = 8; e <= i; e++)
+            row[e] += s->t * s->over *
+                      (q[i % 2] * w[e] + q[e % 2] * w[i] +
+                       straight * ((e == i ? 1.0 : 0.0) - q[i % 2] * q[e % 2]));
+    }
+}
+
+/* Writes the distance, first and second derivatives: rows 0, 1 to 2 and 3 to 4, unless NULL. Returns a status. */
+FOOTPOINT_PART int footpoint_detail_edge3_bends(const struct footpoint_detail_edge3_turns *s,
+                                                double *const *row)
+{
+    double most = fabs(s->t * s->unit);
+    int i, j;
+    for (j = 0; j < 2; j++) {
+        for (i = 0; row[1 + j] && i < 8 + 2; i++)
+            most += fabs((j ? s->unit : 1.0) * s->u[j][i]);
+        most += row[3 + j] ? footpoint_detail_edge3_bend_most(s, j) : 0.0;
+    }
+    if (footpoint_detail_infinite(most) >> 63)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    if (row[0])
+        row[0][0] = s->t * s->unit;
+    for (j = 0; j < 2; j++) {
+        for (i = 0; row[1 + j] && i < 8 + 2; i++)
+            row[1 + j][i] = (j ? s->unit : 1.0) * s->u[j][i];
+        if (row[3 + j])
+            footpoint_detail_edge3_bend(s, j, row[3 + j]);
+    }
+    return FOOTPOINT_OK;
+}
+
+FOOTPOINT_FN int footpoint_edge3_hessian_along(const double xA[2], const double xB[2], const double xC[2],
+                                               const double xS[2], const double along[2], double xi, double *dist,
+                                               double *d_xi, double *d_dist, double *h_xi, double *h_dist)
+{
+    const double *const x[4] = {xA, xB, xC, xS};
+    double *const row[5] = {dist, d_xi, d_dist, h_xi, h_dist}, y[4][2], length;
+    const double *z[4];
+    struct footpoint_detail_edge3_turns s;
+    int exponent = 0, turn = 0, status = footpoint_detail_edge3_unit(x, y, z, &exponent);
+    if (status == FOOTPOINT_OK)
+        status = footpoint_detail_plane_direction(along, s.q, &turn);
+    if (status != FOOTPOINT_OK)
+        return status;
+    if (footpoint_detail_infinite(xi) >> 63)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    length = 1.0 / sqrt(footpoint_detail_plane_dot(s.q, s.q));
+    s.q[0] *= length;
+    s.q[1] *= length;
+    s.over = ldexp(length, -turn);
+    s.unit = ldexp(1.0, exponent);
+    s.t = footpoint_detail_edge3_away(z, s.q, xi);
+    if (footpoint_detail_edge3_turn(z, xi, &s) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    return footpoint_detail_edge3_bends(&s, row);
+}
+
+FOOTPOINT_FN int footpoint_edge3_gradients_along(const double xA[2], const double xB[2], const double xC[2],
+                                                 const double xS[2], const double along[2], double xi, double *dist,
+                                                 double *d_xi, double *d_dist)
+{
+    return footpoint_edge3_hessian_along(xA, xB, xC, xS, along, xi, dist, d_xi, d_dist, 0, 0);
 }
 
 #endif

@@ -33,56 +33,56 @@
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
-#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own macros */
 #define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
-#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that unused results are not computed */
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#ifndef FOOTPOINT_APART /* before functions that stay separate: they vectorise whatever the caller's arrays */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_APART static __attribute__((noinline, unused))
 #else
 #define FOOTPOINT_APART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
+#ifndef FOOTPOINT_LOOP /* before loops over arrays: their callees are inlined, whatever their size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#ifndef FOOTPOINT_COLD /* before functions that are seldom called: not inlined */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
-                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#ifndef FOOTPOINT_EACH /* before loops over arrays that do not overlap; for clang pass -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns if it is not obeyed */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
-#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#ifndef FOOTPOINT_UNROLL /* before short loops inside loops over arrays, which vectorise only without them */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
-#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#ifndef FOOTPOINT_WHOLE /* the same for known counts, also long ones, which clang needs */
 #if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
 #else
@@ -116,8 +116,9 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS_F
 #define FOOTPOINT_DETAIL_BITS_F
-/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
- * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_bits(float x)
 {
     union {
@@ -128,8 +129,8 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_bits(float x)
     return both.bits;
 }
 
-/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
- * four instructions each instead of one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
 FOOTPOINT_PART float footpoint_detail_f_zero(void)
 {
     const volatile int zero = 0;
@@ -376,7 +377,7 @@ FOOTPOINT_COLD int footpoint_detail_f_again(footpoint_detail_f_search *search, c
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS_F
 #define FOOTPOINT_DETAIL_BOUNDS_F
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -386,7 +387,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
 #endif
 }
 
-/* The greater number; a comparison with NaN raises no exception. */
+/* Returns the greater number; a comparison with NaN raises no exception. */
 FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -396,37 +397,17 @@ FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
 #endif
 }
 
-/* The sum of the absolute values, and the largest. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART float footpoint_detail_f_sum(const float a[3])
 {
     return fabsf(a[0]) + fabsf(a[1]) + fabsf(a[2]);
 }
 
-FOOTPOINT_PART float footpoint_detail_f_most(const float a[3])
-{
-    return footpoint_detail_f_greater(fabsf(a[0]), footpoint_detail_f_greater(fabsf(a[1]), fabsf(a[2])));
-}
-
-/* The scalar product of a, >= 0, and |b|. */
+/* Returns the scalar product of a, >= 0, and |b|. */
 FOOTPOINT_PART float footpoint_detail_f_weigh(const float a[3], const float b[3])
 {
     return a[0] * fabsf(b[0]) + a[1] * fabsf(b[1]) + a[2] * fabsf(b[2]);
 }
-#endif
-
-#ifndef FOOTPOINT_QUAD4_ANSWER_F
-#define FOOTPOINT_QUAD4_ANSWER_F
-/* What a proof knows of a segment and a slave node: their vectors x; those of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over`
- * of the d here; size = a . a + b . b + c . c; and of what their rounding errors are.  Coordinates of a are off by some units of
- * rounding of those of |a| + |c| + 0.08f |b|, of b, of |b| + |c| + 0.08f |a|, of c, of those with twist = 1, of these with 2, of both with
- * 3; of d, of |a| + |b| + |c| + |d|; products of two, by as many units as `rounding`, less 10, has, of the product of what bounds the
- * two, where that of d has 0.5f (|a| + |b| + |c|) + |d|. */
-typedef struct {
-    const float *const *x;
-    const float *a, *b, *c, *d;
-    float over, size, rounding;
-    int twist;
-} footpoint_detail_f_quad4_vectors;
 
 /* Not less than the root of x >= 0, and at most 1.061f times that: half of its exponent, as logarithms have it. */
 FOOTPOINT_PART float footpoint_detail_f_root_bound(float x)
@@ -438,9 +419,25 @@ FOOTPOINT_PART float footpoint_detail_f_root_bound(float x)
     both.bits = (footpoint_detail_f_bits(x) >> 1) + (footpoint_detail_f_bits(1.0f) >> 1);
     return both.number;
 }
+#endif
 
-/* What is at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and of each coordinate the sum of the absolute values of its
- * terms, U, V, W, C.  By rounding u and v are off by 4 units of U and V, w by 7 of W, c by 2 of C. */
+#ifndef FOOTPOINT_QUAD4_ANSWER_F
+#define FOOTPOINT_QUAD4_ANSWER_F
+/* Data for a proof about a segment and a slave node: their vectors x; the vectors of r = c0 + xi a + eta b + xi eta c
+ * and d = xS - c0, `over` of the d here; size = a . a + b . b + c . c; and their rounding errors. Coordinates of a are
+ * off by some units of rounding of those of |a| + |c| + 0.08f |b|, of b by units of |b| + |c| + 0.08f |a|; of c by units
+ * of the former with twist = 1, of the latter with 2, of both with 3; of d by units of |a| + |b| + |c| + |d|. A product
+ * of two is off by `rounding`, minus 10 units, of the product of the two bounds, where the bound of d is 0.5f (|a| + |b|
+ * + |c|) + |d|. */
+typedef struct {
+    const float *const *x;
+    const float *a, *b, *c, *d;
+    float over, size, rounding;
+    int twist;
+} footpoint_detail_f_quad4_vectors;
+
+/* Values at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and for each coordinate the sum of the absolute
+ * values of its terms, U, V, W, C. By rounding u and v are off by 4 units of U and V, w by 7 of W, c by 2 of C. */
 typedef struct {
     float u[3], v[3], w[3], c[3], U[3], V[3], W[3], C[3];
 } footpoint_detail_f_quad4_place;
@@ -468,18 +465,18 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_visit(const float *const *x, float 
     }
 }
 
-/* A Newton step to the foot point of r, by xi and eta.  The highest bit of what it returns is not set if a minimum of the
- * distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+/* Takes a Newton step to the foot point of r, by xi and eta. The highest bit of the result is not set if a minimum of
+ * the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *
- * By Newton and Kantorovich, in maximum norms: F = (u . w, v . w) has the Jacobian -H, H = [uu r12; r12 vv], r12 = u . v - c . w;
- * beta = |H^-1|, `step` = |H^-1 F|.  In a ball of 1/6, H has the Lipschitz constant L = 4 (|u . c| + |v . c|) + c . c.  If
- * h = beta L step <= 0.2625f, then there is a root within 1.19f steps, and within 0.71f h step of the exact answer, and H is positive
- * definite all the way there.
+ * By Newton and Kantorovich, in maximum norms: F = (u . w, v . w) has the Jacobian -H, H = [uu r12; r12 vv], r12 = u .
+ * v - c . w; beta = |H^-1|, `step` = |H^-1 F|. In a ball of 1/6, H has the Lipschitz constant L = 4 (|u . c| + |v . c|)
+ * + c . c. If h = beta L step <= 0.2625f, then there is a root within 1.19f steps, and within 0.71f h step of the exact
+ * answer, and H is positive definite on the whole way there.
  *
- * Rounding: F is off by 7 units of U |w| + W |u|, of V |w| + W |v|, and what products of two errors make; H by 13 of rows
- * U (U + V) + C W and V (U + V) + C W; Cramer's rule adds 12, as r12^2 is no more than 1e-4f det / (2 units); L is off by 40 of
- * C (U + V + C).  `tilt` bounds |H^-1| times the errors of H: with a step they are errors of F, too.  It makes beta and errors of F
- * 1.06f times as large at most. */
+ * Rounding: F is off by 7 units of U |w| + W |u|, of V |w| + W |v|, and by products of two errors; H by 13 of rows U (U
+ * + V) + C W and V (U + V) + C W; Cramer's rule adds 12, as r12^2 is at most 1e-4f det / (2 units); L is off by 40 of C
+ * (U + V + C). `tilt` bounds |H^-1| times the errors of H; times a step, these are errors of F, too. It makes beta and
+ * errors of F at most 1.06f times as large. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_newton(const float *const *x, float promise, float *xi,
                                                             float *eta)
 {
@@ -529,7 +526,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_newton(const float *const *
            footpoint_detail_f_infinite(room + h + off + s + t) | footpoint_detail_f_fast();
 }
 
-/* The same, where it is seldom called. */
+/* The same, not inlined because it is seldom called. */
 FOOTPOINT_COLD unsigned int footpoint_detail_f_quad4_prove(const float *const *x, float promise, float *xi,
                                                            float *eta)
 {
@@ -544,8 +541,8 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_step(const float products[9
     return footpoint_detail_f_quad4_newton(r->x, promise, xi, eta);
 }
 
-/* Steps until one is proved, or they are too short to matter, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
- * these are enough. */
+/* Takes up to four steps until one is proved, or they are too short to matter, from finite xi and eta; in a loop over
+ * arrays, `fixed` = 1 or 2 steps, with the same answer if these suffice. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_steps(const float products[9],
                                                            const footpoint_detail_f_quad4_vectors *r,
                                                            float promise, int fixed, float *xi, float *eta)
@@ -561,7 +558,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_steps(const float products[
             return doubt;
         u = *xi;
         v = *eta;
-        /* as below: if the first step was that short, the second is none */
+        /* as below: if the first step was that short, the second is omitted */
         still = footpoint_detail_f_bits(fabsf(u - p) + fabsf(v - q) - 0.01f * promise);
         still |= footpoint_detail_f_quad4_step(products, r, promise, &u, &v);
         *xi = doubt >> 31 ? u : *xi;
@@ -576,14 +573,14 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_steps(const float products[
         doubt = footpoint_detail_f_infinite(*xi + *eta) |
                 footpoint_detail_f_bits(fabsf(*xi - u) + fabsf(*eta - v) - 0.01f * promise);
     }
-    /* where products have lost too many digits, vectors have not */
+    /* if products have lost too many digits, vectors have not */
     if (promise < 1e-9f && !(footpoint_detail_f_infinite(*xi + *eta) >> 31))
         return footpoint_detail_f_quad4_prove(r->x, promise, xi, eta);
     return (unsigned int)1 << 31;
 }
 
-/* The square of the distance at (xi,eta), of vectors with over = 1; and where gauss is not
- * NULL, the step of Gauss and Newton from there, which leads downhill. */
+/* Returns the squared distance at (xi,eta), of vectors with over = 1, and, if gauss is not NULL, computes the
+ * Gauss-Newton step from there, which leads downhill. */
 FOOTPOINT_COLD float footpoint_detail_f_quad4_apart(const float a[3], const float b[3], const float c[3],
                                                     const float d[3], float xi, float eta, float *gauss)
 {
@@ -607,7 +604,7 @@ FOOTPOINT_COLD float footpoint_detail_f_quad4_apart(const float a[3], const floa
     return footpoint_detail_f_dot(w, w);
 }
 
-/* Vectors as sums of edges, four times r's. */
+/* Computes the vectors as sums of edges, four times r's. */
 FOOTPOINT_COLD void footpoint_detail_f_quad4_edges(float y[5][3], float a[3], float b[3],
                                                    float c[3], float d[3])
 {
@@ -622,8 +619,8 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_edges(float y[5][3], float a[3], fl
     }
 }
 
-/* From `at`, where the square of the distance is *apart, to `to`, if that is nearer; else by damped steps of Gauss and Newton, which
- * lead downhill.  0 if nothing is nearer. */
+/* Moves from `at`, where the squared distance is *apart, to `to`, if that is nearer; otherwise by damped Gauss-Newton
+ * steps, which lead downhill. Returns 0 if nothing is nearer. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_nearer(const float a[3], const float b[3], const float c[3],
                                                    const float d[3], float to[2], float at[2],
                                                    float *apart)
@@ -647,11 +644,12 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_nearer(const float a[3], const float
     return 1;
 }
 
-/* footpoint_detail_f_quad4_newton of vectors as footpoint_detail_f_quad4_edges makes them, off by 3 units of |a| + |b| + |c| (and |d|):
- * where |xi| or |eta| is large, products of both weigh nodes, but not these.
+/* Does the same as footpoint_detail_f_quad4_newton for vectors of footpoint_detail_f_quad4_edges, which are off by 3 units
+ * of |a| + |b| + |c| (and |d|). If |xi| or |eta| is large, products of both weigh nodes, but not these vectors.
  *
- * F is off by 11 units of far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of
- * any order.  The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249f and 0.999f leave. */
+ * F is off by 11 units of far (|r_xi|, |r_eta| + |D|), and the error of H counts as 8 step far in place of |D|; sums of
+ * any order. The weak inequality of `det` keeps the rounding errors of beta and h below the margins of 0.249f and
+ * 0.999. */
 FOOTPOINT_COLD unsigned int footpoint_detail_f_quad4_far(const float a[3], const float b[3],
                                                          const float c[3], const float d[3], float promise,
                                                          float *xi, float *eta)
@@ -691,8 +689,8 @@ FOOTPOINT_COLD unsigned int footpoint_detail_f_quad4_far(const float a[3], const
            footpoint_detail_f_infinite(room + h + off + s + t) | footpoint_detail_f_fast();
 }
 
-/* From (*xi,*eta) by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  y: the vectors in a unit of length in which the
- * segment is about 1 long. */
+/* Takes up to 20 steps from (*xi,*eta) until one is proved; otherwise FOOTPOINT_UNPROVED. y: the vectors in a unit of
+ * length in which the segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_repair(float y[5][3], float promise, float *xi,
                                                    float *eta)
 {
@@ -726,7 +724,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_repair(float y[5][3], float promise,
             at[1] = to[1];
         } else if (!footpoint_detail_f_quad4_nearer(a, b, c, d, to, at, &apart))
             break;
-        if (moved < 0.01f * promise) /* rounding forbids the proof */
+        if (moved < 0.01f * promise) /* rounding prevents the proof */
             break;
     }
     *xi = at[0];
@@ -734,8 +732,9 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_repair(float y[5][3], float promise,
     return status;
 }
 
-/* The answer where a search is not good beyond doubt; promise <= 0: nothing is promised.  The search once more, as a loop takes fewer
- * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
+/* Answers if a search is not good beyond doubt; promise <= 0: nothing is promised. It repeats the search, because a
+ * loop takes fewer steps, in a unit of length in which the segment is about 1 long if it is far from that, then
+ * repairs. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_answer(footpoint_detail_f_search *search,
                                                    const float *const *x, int nodes, float promise,
                                                    float loc[2], float *gap)
@@ -764,7 +763,7 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_answer(footpoint_detail_f_search *se
         }
         g = ldexpf(g, exponent);
         if ((doubt | footpoint_detail_f_infinite(g)) >> 31)
-            return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+            return FOOTPOINT_ERR_DEGENERATE; /* the distance overflows */
     }
     loc[0] = xi;
     loc[1] = eta;
@@ -794,8 +793,8 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_n(footpoint_detail_f_quad4_search *
     }
 }
 
-/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
- * doubt is searched in full behind the loop. */
+/* Searches with statuses. p: the vectors, the first `nodes` of which another unit of length changes. Answers that are
+ * not good beyond doubt are searched in full after the loop. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_full(footpoint_detail_f_search *search,
                                                   const float *const *row, int nodes, float promise,
                                                   float *xi, float *eta, float *gap, int *status)
@@ -889,19 +888,6 @@ FOOTPOINT_PART float footpoint_detail_f_either(float step, float a, float b)
     return (1.0f - step) * a + step * b;
 }
 
-/* Returns the margin by which the squared distance dd of a point inside may exceed the squared distance of a point of an edge, so that
- * the inner point is still taken: the rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta within rounding.
- * Otherwise no foot point lies there, and dd must be less by as much. */
-FOOTPOINT_PART float footpoint_detail_f_leeway(const float u[3], const float v[3], const float d[3],
-                                               float dd, float size)
-{
-    const float ud = footpoint_detail_f_dot(u, d), vd = footpoint_detail_f_dot(v, d);
-    const float tilt = 2e-7f * dd + 1e-12f * size;
-    const float over = tilt * footpoint_detail_f_dot(u, u) - ud * ud;
-    const float other = tilt * footpoint_detail_f_dot(v, v) - vd * vd;
-    return copysignf(2e-7f * (dd + size), other < over ? other : over);
-}
-
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
  * for which `edge` is 1 (inside 0), xS is behind only by more than a small angle and by more than the rounding
  * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products
@@ -960,26 +946,6 @@ FOOTPOINT_PART float footpoint_detail_f_square_middle(void)
 FOOTPOINT_PART float footpoint_detail_f_triangle_middle(void)
 {
     return 1.0f / 3.0f;
-}
-
-/* Keeps the end `to` of a step from (xi,eta) = at within the range of xi and eta, at least a tenth of the way off the edge. */
-FOOTPOINT_PART void footpoint_detail_f_square_clamp(const float at[2], float to[2])
-{
-    int i;
-    for (i = 0; i < 2; i++) {
-        const float least = 0.1f * (1.0f + at[i]) - 1.0f, most = 1.0f - 0.1f * (1.0f - at[i]);
-        to[i] = to[i] < least ? least : to[i] > most ? most : to[i];
-    }
-}
-
-FOOTPOINT_PART void footpoint_detail_f_triangle_clamp(const float at[2], float to[2])
-{
-    const float over = 0.5f * (to[0] + to[1] - 1.0f + 0.1f * (1.0f - at[0] - at[1]));
-    int i;
-    for (i = 0; i < 2; i++) {
-        to[i] -= over > 0.0f ? over : 0.0f;
-        to[i] = to[i] < 0.1f * at[i] ? 0.1f * at[i] : to[i];
-    }
 }
 
 /* Moves (xi,eta) to the middle of its edge if the ends of this edge coincide.  Triangles have no such edges. */
@@ -1060,9 +1026,6 @@ FOOTPOINT_PART float footpoint_detail_f_signed_root(float dd)
 typedef int footpoint_detail_f_nearby(const float *const *x, int lanes, float zero, float at[3],
                                       int *region);
 
-/* A search of closest points: x has the vectors of the call; at = {xi, eta, square of the distance with its sign}. */
-typedef int footpoint_detail_f_nearest(const float *const *x, float zero, float at[3], int *region);
-
 /* Writes its answer for the caller, if there is an answer. */
 FOOTPOINT_PART int footpoint_detail_f_closest_answer(int status, const float at[3], int where,
                                                      float loc[2], float *dist, int *region)
@@ -1136,6 +1099,13 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_leave(const float *const *x, int k,
         if (footpoint_detail_f_dot(slope, slope) > 1e-9f * footpoint_detail_f_dot(e, e))
             for (i = 0; i < 3; i++)
                 e[i] = slope[i];
+    }
+    if (5 > 4 + 1) { /* edges of patches begin at right angles to the normal */
+        const float *const n = x[4 + from];
+        const float along = footpoint_detail_f_dot(e, n);
+        int i;
+        for (i = 0; i < 3; i++)
+            e[i] -= along * n[i];
     }
 }
 
@@ -2015,11 +1985,12 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_proved_closest_of(footpoint_detail_f
  * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
  *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
 
-/* NAME, NAME_checked_n and NAME_over_n answer FOOTPOINT_OK only if a minimum of the distance to the surface is proved to lie
- * within NAME_PROMISE, a macro, of (xi,eta), times |xi| or |eta| if that is greater than 1: whatever the segment, rounding
- * errors included, which no order of summation changes.  FOOTPOINT_UNPROVED: steps came to no proof, loc and gap are where
- * they ended; under -ffast-math nothing is proved.  A minimum on the whole surface need not be the nearest point of the
- * segment: see NAME_closest.  NAME_at and NAME_n prove nothing. */
+/* NAME, NAME_checked_n and NAME_over_n return FOOTPOINT_OK only if a minimum of the distance to the surface is proved
+ * to lie within the macro NAME_PROMISE of (xi,eta), times |xi| or |eta| if that is greater than 1: for any segment,
+ * rounding errors included, which no order of summation changes. FOOTPOINT_UNPROVED: the steps found no proof, and loc
+ * and gap are where they ended; under -ffast-math nothing is proved. A minimum on the whole surface need not be the
+ * nearest point of the segment: see NAME_closest. NAME_at and NAME_n prove nothing. Answers of NAME_checked_n and
+ * NAME_over_n may differ from those of NAME within NAME_PROMISE. */
 
 /* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
  *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, the part that contains r: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
@@ -3443,32 +3414,32 @@ FOOTPOINT_FN int footpoint_quad4_float_accurate_closest_of(size_t n, const float
 /* The largest error of xi and eta behind FOOTPOINT_OK. */
 #define FOOTPOINT_ALONG_PROMISE_F 1e-3f
 
-/* The larger one without a branch, which would keep loops from being vectorised. */
+/* Returns the larger number without a branch, which would keep loops from being vectorised. */
 FOOTPOINT_PART float footpoint_detail_f_larger(float a, float b)
 {
     return 0.5f * (a + b + fabsf(a - b));
 }
 
-/* How far |x| is above 1, and 0 below. */
+/* Returns the excess of |x| over 1, and 0 below. */
 FOOTPOINT_PART float footpoint_detail_f_excess(float x)
 {
     const float more = fabsf(x) - 1.0f;
     return 0.5f * (more + fabsf(more));
 }
 
-/* Half of the last digit of 1. */
+/* Returns half of the last digit of 1. */
 FOOTPOINT_PART float footpoint_detail_f_unit(void)
 {
     return 1.0f / (float)((unsigned int)1 << 24);
 }
 
-/* The sum of the absolute values. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART float footpoint_detail_f_manhattan(const float a[3])
 {
     return fabsf(a[0]) + fabsf(a[1]) + fabsf(a[2]);
 }
 
-/* The status of a proved point on the face: proofs do not hold where compilers may order sums as they like. */
+/* Returns the status of a proved point on the face: proofs do not hold if compilers may reorder sums. */
 FOOTPOINT_PART int footpoint_detail_f_met(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -3478,7 +3449,7 @@ FOOTPOINT_PART int footpoint_detail_f_met(void)
 #endif
 }
 
-/* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
+/* Scales the direction to a length of about 1. Returns FOOTPOINT_ERR_DEGENERATE if it has no length. */
 FOOTPOINT_FN int footpoint_detail_f_along_scale(const float along[3], float p[3])
 {
     float most = 0.0f;
@@ -3498,7 +3469,7 @@ FOOTPOINT_FN int footpoint_detail_f_along_scale(const float along[3], float p[3]
 
 #ifndef FOOTPOINT_QUAD4_ALONG_F
 #define FOOTPOINT_QUAD4_ALONG_F
-/* c1, c2, c3 and d, all times 4. */
+/* Computes c1, c2, c3 and d, all times 4. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_frame(const float *const *x, float c1[3], float c2[3],
                                                    float c3[3], float d[3])
 {
@@ -3513,7 +3484,7 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_frame(const float *const *x, float 
     }
 }
 
-/* The coefficients of both equations, {[c1 c2], [c1 c3], [c3 c2], [d c3], [c2 d], [d c1]}. */
+/* Computes the coefficients of both equations, {[c1 c2], [c1 c3], [c3 c2], [d c3], [c2 d], [d c1]}. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_brackets(const float c1[3], const float c2[3],
                                                       const float c3[3], const float d[3],
                                                       const float p[3], float k[6])
@@ -3530,7 +3501,7 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_brackets(const float c1[3], const f
     k[5] = footpoint_detail_f_dot(d, m1);
 }
 
-/* 4 (xS - r) . p */
+/* Returns 4 (xS - r) . p. */
 FOOTPOINT_PART float footpoint_detail_f_quad4_ahead(const float c1[3], const float c2[3],
                                                     const float c3[3], const float d[3], const float p[3],
                                                     float xi, float eta)
@@ -3542,8 +3513,9 @@ FOOTPOINT_PART float footpoint_detail_f_quad4_ahead(const float c1[3], const flo
     return ahead;
 }
 
-/* Bounds of rounding errors: of d, over |p|, `away`; of the other vectors, over their size, `units`.  Differences of nodes are off by a
- * unit, c1 to c3 by 4, d by 6 and 2 of its own; vectors at right angles to p, their products and sums count for the rest. */
+/* Bounds rounding errors: of d, over |p|, `away`; of the other vectors, over their size, `units`. Differences of nodes
+ * are off by a unit, c1 to c3 by 4, d by 6 and 2 of its own; vectors at right angles to p, their products and sums
+ * count for the rest. */
 FOOTPOINT_PART float footpoint_detail_f_quad4_rounding(const float c1[3], const float c2[3],
                                                        const float c3[3], const float d[3], float units)
 {
@@ -3553,9 +3525,10 @@ FOOTPOINT_PART float footpoint_detail_f_quad4_rounding(const float c1[3], const 
                      footpoint_detail_f_manhattan(c3)));
 }
 
-/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of where the equations leave r and
- * s, and no other one where |xi|, |eta| <= wide.  off: rounding errors of the equations there.  As a map that leads to xi, eta, r - k2
- * xi eta and s - k1 xi eta, over j, contract if `room` > 0, in a norm of its own; then solutions lie within what `left` bounds. */
+/* Proves a solution. The highest bit of the result is set unless a solution is proved to lie within the promise of the
+ * place at which the equations leave r and s, and no other solution with |xi|, |eta| <= wide. off: rounding errors of
+ * the equations there. As a map to xi, eta, r - k2 xi eta and s - k1 xi eta, over j, contract if `room` > 0, in their
+ * own norm; then solutions lie within the bound `left`. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_meet(float j, float k1, float k2, float r, float s,
                                                           const float off[2], float wide)
 {
@@ -3568,8 +3541,8 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_meet(float j, float k1, flo
            footpoint_detail_f_bits(right) | footpoint_detail_f_infinite(left + right);
 }
 
-/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless that
- * is proved, as J has one sign in the segment and as far beyond it as (xi, eta) lies. */
+/* Finds at = {xi, eta, distance times |p|}, with status FOOTPOINT_OK or FOOTPOINT_OUTSIDE. The highest bit of the
+ * result is set unless that is proved: J has one sign in the segment and as far beyond it as (xi, eta) lies. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_along(const float *const *x, const float p[3],
                                                            float at[3], int *status)
 {
@@ -3599,7 +3572,8 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_along(const float *const *x
            footpoint_detail_f_infinite(at[2]);
 }
 
-/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`; 0 where any x is one, as on a collapsed edge. */
+/* Returns the solution of a x^2 + b x + c = 0 for which 2 a x + b is `slope`; 0 if any x is a solution, as on a
+ * collapsed edge. */
 FOOTPOINT_PART float footpoint_detail_f_root(float a, float b, float c, float slope)
 {
     if (a == 0.0f && b == 0.0f && c == 0.0f)
@@ -3607,8 +3581,8 @@ FOOTPOINT_PART float footpoint_detail_f_root(float a, float b, float c, float sl
     return b * slope > 0.0f ? -2.0f * c / (b + slope) : (slope - b) / (2.0f * a);
 }
 
-/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of (xi,eta), with J of the sign of
- * `slope`: there tangents take the place of c1 and c2, and xS - r that of d. */
+/* The highest bit of the result is set unless a solution is proved to lie within the promise of (xi,eta), with J of the
+ * sign of `slope`: there, tangents replace c1 and c2, and xS - r replaces d. */
 FOOTPOINT_FN unsigned int footpoint_detail_f_quad4_line_near(const float c1[3], const float c2[3],
                                                              const float c3[3], const float d[3],
                                                              const float p[3], float xi, float eta,
@@ -3631,9 +3605,9 @@ FOOTPOINT_FN unsigned int footpoint_detail_f_quad4_line_near(const float c1[3], 
            footpoint_detail_f_bits(k[0] * slope);
 }
 
-/* Both solutions: z, xi, eta and the distance, what they reach at most of xi and eta, and whether a solution is proved to be there;
- * FOOTPOINT_ERR_DOMAIN if there is none.  Of the two ways to compute the discriminant the one that loses fewer digits, as near
- * a collapsed edge. */
+/* Computes both solutions: z, xi, eta and the distance, their largest xi and eta, and whether a solution is proved to
+ * be there. Returns FOOTPOINT_ERR_DOMAIN if there is none. The discriminant is computed in the way, of two, that loses
+ * fewer digits, for example near a collapsed edge. */
 FOOTPOINT_FN int footpoint_detail_f_quad4_solve(const float c1[3], const float c2[3], const float c3[3],
                                                 const float d[3], const float p[3], const float k[6],
                                                 float z[2][3], float reach[2], int proved[2])
@@ -3670,8 +3644,8 @@ FOOTPOINT_FN int footpoint_detail_f_quad4_solve(const float c1[3], const float c
     return found ? FOOTPOINT_OK : FOOTPOINT_ERR_DOMAIN;
 }
 
-/* Whether `other` cannot lie in the segment, as z is proved with J of the sign in the middle: there J is -J of z, and in the segment
- * it is more. */
+/* Returns 1 if `other` cannot lie in the segment, because z is proved with J of the sign in the middle: there J is -J
+ * of z, and in the segment it is more. */
 FOOTPOINT_FN int footpoint_detail_f_quad4_excludes(const float k[6], const float z[3], float reach,
                                                    float off)
 {
@@ -3692,8 +3666,8 @@ FOOTPOINT_FN int footpoint_detail_f_quad4_edge_on(const float c1[3], const float
              fabsf(k[2]) > off * (b + c));
 }
 
-/* That in the segment, of two there the nearer one, of none the one less far outside that is proved.  Where both are proved there is no
- * other one. */
+/* Returns the solution in the segment, the nearer of two there, or otherwise the proved solution less far outside. If
+ * both are proved, there is no other. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_along_full(const float *const *x, const float p[3],
                                                        float at[3])
 {
@@ -3730,8 +3704,8 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_along_full(const float *const *x, co
                           : FOOTPOINT_OUTSIDE;
 }
 
-/* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
- * out of range of numbers there is FOOTPOINT_ERR_DOMAIN. */
+/* Searches in full, in units of length in which the segment and the direction are about 1 long. Returns
+ * FOOTPOINT_ERR_DOMAIN if a slave node or a distance overflows there. */
 FOOTPOINT_COLD int footpoint_detail_f_quad4_along_again(const float *const *x, const float along[3],
                                                         float loc[2], float *dist)
 {
@@ -3761,19 +3735,19 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_along_again(const float *const *x, c
 }
 #endif
 
-/* footpoint_quad4_float_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
- *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  A point where the line meets the surface is proved to lie within FOOTPOINT_ALONG_PROMISE_F of
- *           loc, farther outside than 1 within that times |xi| or |eta|, rounding errors included; dist is that of r(loc).
- *           FOOTPOINT_OK: it meets the segment nowhere else; FOOTPOINT_NOT_UNIQUE: it meets the segment more than once, and the
- *           answer is the nearest of these points, to their errors; FOOTPOINT_OUTSIDE: it passes by the segment, and
- *           meets the surface there beyond the edges, which count for as thick as FOOTPOINT_ALONG_PROMISE_F.
- *           FOOTPOINT_UNPROVED: any of these or none, as where it nearly touches the segment.  loc and dist are untouched where it
- *           returns FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the
- *           edges is proved;
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, as far as rounding
- *           errors tell; and FOOTPOINT_ERR_NOT_FINITE.
- * footpoint_quad4_float_along_n:  the same for n pairs, each with its status and its direction, three columns. */
+/* footpoint_quad4_float_along:  finds the point at which the line through xS in the direction `along`, of any length but 0, meets the
+ *           segment: loc = {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along
+ *           the segment's normal dist is the gap. A point at which the line meets the surface is proved to lie within
+ *           FOOTPOINT_ALONG_PROMISE_F of loc, times |xi| or |eta| if these are above 1, rounding errors included; dist belongs to
+ *           r(loc). FOOTPOINT_OK: the line meets the segment nowhere else. FOOTPOINT_NOT_UNIQUE: it meets the segment
+ *           more than once, and the answer is the nearest of these points, to their errors. FOOTPOINT_OUTSIDE: it does
+ *           not meet the segment, but the surface beyond the edges, which count as FOOTPOINT_ALONG_PROMISE_F thick.
+ *           FOOTPOINT_UNPROVED: any of these or no point, for example if the line nearly touches the segment.
+ *           On error loc and dist are untouched: FOOTPOINT_ERR_DOMAIN if xS is too far away for a distance, or the line
+ *           does not meet the segment, and no point beyond the edges is proved; FOOTPOINT_ERR_DEGENERATE if there is no
+ *           area or no direction, or, within rounding errors, if the line is parallel to the segment's plane; and
+ *           FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_quad4_float_along_n:  does the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_quad4_float_along(const float xA[3], const float xB[3], const float xC[3],
                                              const float xD[3], const float xS[3], const float along[3], float loc[2],
                                              float *dist)
@@ -3806,7 +3780,7 @@ FOOTPOINT_LOOP void footpoint_quad4_float_along_n(size_t n, const float *const x
         float at[3];
         int outside;
         const unsigned int flaw = footpoint_detail_f_quad4_along(row, q, at, &outside);
-        status[i] = outside - (int)(2 * (flaw >> 31)); /* < 0 where it is asked in full */
+        status[i] = outside - (int)(2 * (flaw >> 31)); /* < 0: a full search follows */
         xi[i] = at[0];
         eta[i] = at[1];
         dist[i] = at[2];

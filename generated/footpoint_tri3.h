@@ -30,56 +30,56 @@
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
-#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own macros */
 #define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
-#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that unused results are not computed */
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#ifndef FOOTPOINT_APART /* before functions that stay separate: they vectorise whatever the caller's arrays */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_APART static __attribute__((noinline, unused))
 #else
 #define FOOTPOINT_APART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
+#ifndef FOOTPOINT_LOOP /* before loops over arrays: their callees are inlined, whatever their size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#ifndef FOOTPOINT_COLD /* before functions that are seldom called: not inlined */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
-                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#ifndef FOOTPOINT_EACH /* before loops over arrays that do not overlap; for clang pass -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns if it is not obeyed */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
-#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#ifndef FOOTPOINT_UNROLL /* before short loops inside loops over arrays, which vectorise only without them */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
-#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#ifndef FOOTPOINT_WHOLE /* the same for known counts, also long ones, which clang needs */
 #if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
 #else
@@ -113,8 +113,9 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS
 #define FOOTPOINT_DETAIL_BITS
-/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
- * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
     union {
@@ -125,8 +126,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     return both.bits;
 }
 
-/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
- * four instructions each instead of one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
 FOOTPOINT_PART double footpoint_detail_zero(void)
 {
     const volatile int zero = 0;
@@ -285,7 +286,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], con
 
 #ifndef FOOTPOINT_TRI3_SEARCH
 #define FOOTPOINT_TRI3_SEARCH
-/* u = r_xi, v = r_eta and d = xS - r at (xi,eta). */
+/* Computes u = r_xi, v = r_eta and d = xS - r at (xi,eta). */
 FOOTPOINT_FN void footpoint_detail_tri3_surface(const double *const *x, double xi, double eta, double u[3],
                                                 double v[3], double d[3])
 {
@@ -297,8 +298,8 @@ FOOTPOINT_FN void footpoint_detail_tri3_surface(const double *const *x, double x
     footpoint_detail_weighted(x, 3, p, pu, pv, u, v, d);
 }
 
-/* The gap of r = xA + xi c1 + eta c2: a and b are c1 and c2, both times one number, whose square is 1 / unit, d is xS - xA
- * over per. */
+/* Computes the gap of r = xA + xi c1 + eta c2: a and b are c1 and c2, both times a number whose square is 1 / unit; d
+ * is xS - xA over per. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri3_over(const double a[3], const double b[3],
                                                              const double d[3], double size, double per, double unit,
                                                              double xi, double eta, double least, double *gap)
@@ -369,7 +370,7 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 
 #ifndef FOOTPOINT_TRI3_ANSWER
 #define FOOTPOINT_TRI3_ANSWER
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri3_fast(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -379,13 +380,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri3_fast(void)
 #endif
 }
 
-/* A step of Newton's method from (xi,eta) to the foot point of a plane triangle, where it leads but for rounding.  The highest bit of
- * what it returns is not set if the foot point is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+/* Takes a Newton step from (xi,eta) to the foot point of a plane triangle, which it reaches up to rounding. The highest
+ * bit of the result is not set if the foot point is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *
- * Let e be the unit of rounding, u, v and w the edges AB, AC and AS.  Coordinates of d = w - xi u - eta v are off by 4 e T, T = |w| +
- * |xi u| + |eta v|, so that f = u . d is off by 9 e |u| . T, and g = v . d by 9 e |v| . T, sums of any order.  Products of edges are off
- * by 5 e uu, 5 e vv and 5 e m, m >= |u . v|, and the determinant by 24 e uu vv, which is 3e-9 of it at most: so the 1e-8 f and
- * 1e-8 g cover Cramer's rule, and 1.01 what bounds are rounded by. */
+ * Let e be the unit of rounding, and u, v and w the edges AB, AC and AS. Coordinates of d = w - xi u - eta v are off by
+ * 4 e T with T = |w| + |xi u| + |eta v|. So f = u . d is off by e |u| . (4 T + 5 |d|), and g = v . d likewise, for sums
+ * in any order. Products of edges are off by 5 e uu, 5 e vv and 5 e m with m >= |u . v|. The determinant is off by 24 e
+ * uu vv, at most 1e-8 / 1.2 of itself. So 1e-8 of f and g covers Cramer's rule, and 1.01 covers the
+ * rounding of bounds. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri3_prove(const double *const *x, double promise, double *xi,
                                                               double *eta)
 {
@@ -396,7 +398,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri3_prove(const double *cons
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
         const double u = x[1][i] - x[0][i], v = x[2][i] - x[0][i], w = x[3][i] - x[0][i];
-        const double d = w - p * u - q * v, all = fabs(w) + fabs(p * u) + fabs(q * v);
+        const double d = w - p * u - q * v,
+                   all = 4.0 * (fabs(w) + fabs(p * u) + fabs(q * v)) + 5.0 * fabs(d);
         uu += u * u;
         uv += u * v;
         vv += v * v;
@@ -410,14 +413,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri3_prove(const double *cons
     per = 1.0 / det;
     s = (vv * f - uv * g) * per;
     t = (uu * g - uv * f) * per;
-    off_f = 9.0 * unit * ut + 1e-8 * fabs(f);
-    off_g = 9.0 * unit * vt + 1e-8 * fabs(g);
+    off_f = unit * ut + 1e-8 * fabs(f);
+    off_g = unit * vt + 1e-8 * fabs(g);
     *xi = p + s;
     *eta = q + t;
     first = vv * off_f + m * off_g;
     second = uu * off_g + m * off_f;
     greater = 0.5 * (fabs(*xi) + fabs(*eta) + fabs(fabs(*xi) - fabs(*eta)));
-    room = 0.999 * promise * (0.5 * (1.0 + greater + fabs(1.0 - greater)));
+    room = 0.99 * promise * (0.5 * (1.0 + greater + fabs(1.0 - greater)));
     other = room - 1.01 * per * second;
     room -= 1.01 * per * first;
     return footpoint_detail_bits(room) | footpoint_detail_bits(other) |
@@ -425,7 +428,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri3_prove(const double *cons
            footpoint_detail_infinite(room + other + *xi + *eta) | footpoint_detail_tri3_fast();
 }
 
-/* The answer where a search is not good beyond doubt: the same in a unit of length in which the triangle is about 1 long. */
+/* Answers if a search leaves a doubt: repeats it in a unit of length in which the triangle is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_tri3_answer(footpoint_detail_search *search,
                                                 const double *const *x, int nodes, double promise,
                                                 double loc[2], double *gap)
@@ -445,7 +448,7 @@ FOOTPOINT_COLD int footpoint_detail_tri3_answer(footpoint_detail_search *search,
         return FOOTPOINT_ERR_DEGENERATE;
     g = ldexp(g, exponent);
     if (footpoint_detail_infinite(g) >> 63)
-        return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+        return FOOTPOINT_ERR_DEGENERATE; /* the distance overflows */
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;
@@ -473,8 +476,8 @@ FOOTPOINT_PART void footpoint_detail_tri3_n(footpoint_detail_tri3_search *search
     }
 }
 
-/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
- * doubt is searched in full behind the loop. */
+/* Searches with statuses. p: the vectors, the first `nodes` of which another unit of length changes. Answers that are
+ * not good beyond doubt are searched in full after the loop. */
 FOOTPOINT_PART void footpoint_detail_tri3_full(footpoint_detail_search *search,
                                                const double *const *row, int nodes, double promise,
                                                double *xi, double *eta, double *gap, int *status)
@@ -568,19 +571,6 @@ FOOTPOINT_PART double footpoint_detail_either(double step, double a, double b)
     return (1.0 - step) * a + step * b;
 }
 
-/* Returns the margin by which the squared distance dd of a point inside may exceed the squared distance of a point of an edge, so that
- * the inner point is still taken: the rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta within rounding.
- * Otherwise no foot point lies there, and dd must be less by as much. */
-FOOTPOINT_PART double footpoint_detail_leeway(const double u[3], const double v[3], const double d[3],
-                                              double dd, double size)
-{
-    const double ud = footpoint_detail_dot(u, d), vd = footpoint_detail_dot(v, d);
-    const double tilt = 4e-16 * dd + 1e-29 * size;
-    const double over = tilt * footpoint_detail_dot(u, u) - ud * ud;
-    const double other = tilt * footpoint_detail_dot(v, v) - vd * vd;
-    return copysign(4e-16 * (dd + size), other < over ? other : over);
-}
-
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
  * for which `edge` is 1 (inside 0), xS is behind only by more than a small angle and by more than the rounding
  * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products
@@ -639,26 +629,6 @@ FOOTPOINT_PART double footpoint_detail_square_middle(void)
 FOOTPOINT_PART double footpoint_detail_triangle_middle(void)
 {
     return 1.0 / 3.0;
-}
-
-/* Keeps the end `to` of a step from (xi,eta) = at within the range of xi and eta, at least a tenth of the way off the edge. */
-FOOTPOINT_PART void footpoint_detail_square_clamp(const double at[2], double to[2])
-{
-    int i;
-    for (i = 0; i < 2; i++) {
-        const double least = 0.1 * (1.0 + at[i]) - 1.0, most = 1.0 - 0.1 * (1.0 - at[i]);
-        to[i] = to[i] < least ? least : to[i] > most ? most : to[i];
-    }
-}
-
-FOOTPOINT_PART void footpoint_detail_triangle_clamp(const double at[2], double to[2])
-{
-    const double over = 0.5 * (to[0] + to[1] - 1.0 + 0.1 * (1.0 - at[0] - at[1]));
-    int i;
-    for (i = 0; i < 2; i++) {
-        to[i] -= over > 0.0 ? over : 0.0;
-        to[i] = to[i] < 0.1 * at[i] ? 0.1 * at[i] : to[i];
-    }
 }
 
 /* Moves (xi,eta) to the middle of its edge if the ends of this edge coincide.  Triangles have no such edges. */
@@ -739,9 +709,6 @@ FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
 typedef int footpoint_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
                                     int *region);
 
-/* A search of closest points: x has the vectors of the call; at = {xi, eta, square of the distance with its sign}. */
-typedef int footpoint_detail_nearest(const double *const *x, double zero, double at[3], int *region);
-
 /* Writes its answer for the caller, if there is an answer. */
 FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[3], int where,
                                                    double loc[2], double *dist, int *region)
@@ -817,6 +784,13 @@ FOOTPOINT_COLD void footpoint_detail_tri3_leave(const double *const *x, int k, i
         if (footpoint_detail_dot(slope, slope) > 1e-20 * footpoint_detail_dot(e, e))
             for (i = 0; i < 3; i++)
                 e[i] = slope[i];
+    }
+    if (4 > 3 + 1) { /* edges of patches begin at right angles to the normal */
+        const double *const n = x[3 + from];
+        const double along = footpoint_detail_dot(e, n);
+        int i;
+        for (i = 0; i < 3; i++)
+            e[i] -= along * n[i];
     }
 }
 
@@ -948,10 +922,11 @@ FOOTPOINT_COLD int footpoint_detail_tri3_behind_all(size_t n, const double *cons
     return footpoint_detail_tri3_behind(row, loc, 1, fan);
 }
 
-/* Finds the foot point, if it is inside, or the nearest point of the edges, as at: see footpoint_detail_nearest.  The foot point is
- * computed from areas, because the rounding errors of a search's Gram determinant grow with the square of the aspect ratio.  The
- * distance of a point inside is measured to the plane, for any errors of xi and eta.  how: 1 if the nearest edge is BC, 1 if it is
- * CA, else 0; the place of its nearest point, from 0 to 1; 1 if the foot point is inside. */
+/* Finds the foot point, if it is inside, or the nearest point of the edges, as at: see footpoint_detail_nearest.  The
+ * foot point is computed from areas, because the rounding errors of a search's Gram determinant grow with the square of
+ * the aspect ratio.  The distance of a point inside is measured to the plane, for any errors of xi and eta.  how: 1 if
+ * the nearest edge is BC, 1 if it is CA, otherwise 0; the place of its nearest point, from 0 to 1; 1 if the foot point
+ * is inside. */
 FOOTPOINT_PART int footpoint_detail_tri3_find(const double *const *x, double least, double at[3],
                                               double how[4], int *region)
 {
@@ -1002,26 +977,29 @@ FOOTPOINT_PART int footpoint_detail_tri3_find(const double *const *x, double lea
                                            longest);
 }
 
-/* a, b or c. */
+/* Returns a, b or c. */
 FOOTPOINT_PART double footpoint_detail_tri3_choose(const double how[4], double a, double b, double c)
 {
     const double base = 1.0 - how[3]; /* inside: a */
     return footpoint_detail_either(base * how[1], footpoint_detail_either(base * how[0], a, b), c);
 }
 
-/* The highest bit of the result is not set if the closest point of the triangle is proved to lie within `promise` of what
- * footpoint_detail_tri3_find has written.
+/* Proves an answer: the highest bit of the result is not set if the closest point of the triangle is proved to lie
+ * within `promise` of the result of footpoint_detail_tri3_find.
  *
- * From corner P, the first of the nearest edge, or A, edges e and h lead to the next corners; r = P + a e + b h, D = xS - r, slopes
- * F = e . D and G = h . D.  Let (s,t) lead from here to the closest point.  Because that is at the end of no feasible way downhill,
- * |s e + t h|^2 <= s F + t G.  Terms < 0 of feasible steps are left out: f and g bound those of F and G that are not.  So
- * |s e + t h|^2 <= 2 (hh f^2 + ee g^2) / |e x h|^2, and s^2 and t^2 are at most hh and ee over |e x h|^2 times that.  At the end of e
- * feasible steps lead along -e and h - e.  Of an edge, xi and eta change by |s| + |t| at most.
+ * From corner P, the first of the nearest edge, or A, edges e and h lead to the next corners. Let r = P + a e + b h, D
+ * = xS - r, and slopes F = e . D and G = h . D. Let (s,t) lead from here to the closest point. At that point no
+ * feasible direction leads downhill, so |s e + t h|^2 <= s F + t G. Terms < 0 of feasible steps are left out: f and g
+ * bound the slopes F and G of the others. So |s e + t h|^2 <= 2 (hh f^2 + ee g^2) / |e x h|^2, and s^2 and t^2 are at
+ * most hh and ee over |e x h|^2 times that. At the end of e, feasible steps lead along -e and h - e. On an edge, xi and
+ * eta change by at most |s| + |t|.
  *
- * If G leads outwards even at the closest point of the edge, by e . h s, that is the closest of all, and s is f / ee at most.
+ * If G leads outwards even at the closest point of the edge, by e . h s, then that point is the closest of all, and s
+ * is at most f / ee.
  *
- * Rounding, as in footpoint_detail_tri3_prove: D is off by 4 units of T, slopes by 9 of |e| . T and |h| . T; of |e x h|^2 more than
- * half is left, as it is more than 1e-20 of the square of all edges.  On an edge xi and eta add up to 1 but for a unit. */
+ * Rounding, as in footpoint_detail_tri3_prove: D is off by 4 units of T, slopes by 9 of |e| . T and |h| . T. More than
+ * half of |e x h|^2 is left, because it exceeds 1e-20 of the square of all edges. On an edge, xi and eta add up to
+ * 1 within a unit. 16 2.2250738585072014e-308 exceed all underflow. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri3_sure(const double *const *x, double promise,
                                                              const double at[3], const double how[4])
 {
@@ -1060,18 +1038,19 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri3_sure(const double *const
     moved = 1.01 * f / (ee + 2.2250738585072014e-308);
     out = -(G + 1.01 * (off_g + m * moved));
     room = 0.99 * promise - moved;
-    /* at the end of e, h - e stands for h */
+    /* at the end of e, h - e replaces h */
     hh = footpoint_detail_either(end, hh, 2.0 * (ee + hh));
     most = 0.5 * (ee + hh + fabs(ee - hh)) * footpoint_detail_either(inside, 8.0, 2.0);
     other = 0.49 * promise * nn;
     other = other * other - most * (hh * (f * f) + ee * (g * g));
     return ((footpoint_detail_bits(room) | footpoint_detail_bits(out) |
              footpoint_detail_bits(0.5 - inside)) &
-            footpoint_detail_bits(other)) |
+            footpoint_detail_bits(other - 16.0 * 2.2250738585072014e-308)) |
            footpoint_detail_infinite(room + other + out) | footpoint_detail_tri3_fast();
 }
 
-/* An answer with its proof, the square of the distance in at: FOOTPOINT_UNPROVED also if nodes may need another unit of length. */
+/* Finds an answer with its proof, the square of the distance in at.  FOOTPOINT_UNPROVED also if nodes may need another
+ * unit of length. */
 FOOTPOINT_PART int footpoint_detail_tri3_nearby(const double *const *x, double promise, double least,
                                                 double at[3], int *region)
 {
@@ -1082,7 +1061,7 @@ FOOTPOINT_PART int footpoint_detail_tri3_nearby(const double *const *x, double p
     return FOOTPOINT_UNPROVED * open + status * (1 - open);
 }
 
-/* The same in a unit of length in which the triangle is about 1 long, with the distance in at. */
+/* Does the same in a unit of length in which the triangle is about 1 long, with the distance in at. */
 FOOTPOINT_COLD int footpoint_detail_tri3_proved_again(footpoint_detail_nearby *nearby,
                                                       const double *const *x, int scalable,
                                                       double promise, double at[3], int *region)
@@ -1103,8 +1082,8 @@ FOOTPOINT_COLD int footpoint_detail_tri3_proved_again(footpoint_detail_nearby *n
     return status;
 }
 
-/* A distance that no point of the triangle is nearer than: its square is convex, so that along the way to a corner it falls by
- * twice the slope at most. */
+/* Returns a lower bound on the distance of the triangle. The squared distance is convex, so along the way to a corner
+ * it falls by at most twice the slope. */
 FOOTPOINT_COLD double footpoint_detail_tri3_none_nearer(const double *const *x, double promise,
                                                         int status, const double at[3])
 {
@@ -1118,7 +1097,7 @@ FOOTPOINT_COLD double footpoint_detail_tri3_none_nearer(const double *const *x, 
     most = f > g ? f : g;
     most = (most > 0.0 ? most : 0.0) - at[0] * f - at[1] * g;
     size = footpoint_detail_dot(u, u) + footpoint_detail_dot(v, v) + footpoint_detail_dot(d, d);
-    least = footpoint_detail_dot(d, d) - 2.0 * most - 1e-13 * size;
+    least = footpoint_detail_dot(d, d) - 2.0 * most - 900.0 * 1.12e-16 * size;
     return sqrt(least > 0.0 ? least : 0.0);
 }
 
@@ -1267,33 +1246,35 @@ FOOTPOINT_PART int footpoint_detail_tri3_proved_closest_of(footpoint_detail_near
  * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
  *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
 
-/* NAME, NAME_checked_n and NAME_over_n answer FOOTPOINT_OK only if a minimum of the distance to the surface is proved to lie
- * within NAME_PROMISE, a macro, of (xi,eta), times |xi| or |eta| if that is greater than 1: whatever the segment, rounding
- * errors included, which no order of summation changes.  FOOTPOINT_UNPROVED: steps came to no proof, loc and gap are where
- * they ended; under -ffast-math nothing is proved.  A minimum on the whole surface need not be the nearest point of the
- * segment: see NAME_closest.  NAME_at and NAME_n prove nothing. */
+/* NAME, NAME_checked_n and NAME_over_n return FOOTPOINT_OK only if a minimum of the distance to the surface is proved
+ * to lie within the macro NAME_PROMISE of (xi,eta), times |xi| or |eta| if that is greater than 1: for any segment,
+ * rounding errors included, which no order of summation changes. FOOTPOINT_UNPROVED: the steps found no proof, and loc
+ * and gap are where they ended; under -ffast-math nothing is proved. A minimum on the whole surface need not be the
+ * nearest point of the segment: see NAME_closest. NAME_at and NAME_n prove nothing. Answers of NAME_checked_n and
+ * NAME_over_n may differ from those of NAME within NAME_PROMISE. */
 
-/* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
- *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, where r lies: 0 inside, 1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C.
- *           FOOTPOINT_OK is proved, rounding errors included, which no order of summation changes: the point of the closed
- *           segment that is closest to xS lies within NAME_PROMISE of loc, in xi and in eta, and in `region`, unless it is
- *           within NAME_PROMISE of the border of that.  Elsewhere FOOTPOINT_UNPROVED, as rounding forbids the promise, and
- *           under -ffast-math.
- *           Behind means (xS - r) . n < 0 for the segment's normal n.  At an edge or a corner xS is behind only by more
- *           than a small angle, 1e-12, and by more than rounding: a node beside a segment, in its plane, has dist > 0.  A
- *           sign is no contact: xS penetrates if dist < 0 and region is 0, or if NAME_closest_of has dist < 0 for all
- *           segments there.
- *           On error all untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE, if the segment has no area; and
- *           FOOTPOINT_ERR_DOMAIN, if r is farther from xS than the longest edge is long.
- * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
- * NAME_closest_of:  finds the nearest of n segments, the nodes of segment i being x[3 i] and on, such as a
- *           search for neighbours hands over; which is its number.  dist < 0 behind the surface that the segments make: at
- *           an edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that have it, each
- *           times its angle there (Baerentzen and Aanaes 2005).  That is the side of a closed surface if all segments
- *           at that edge or corner are among the n; if some are missing, it is the side of those that are given.  Nodes
- *           are the same if their coordinates are.  FOOTPOINT_UNPROVED also if a segment whose answer is not proved may be
- *           nearer.  Of distances that are equal to rounding either may be taken.  Segments without an answer are passed
- *           over; if all are, the status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
+/* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist,
+ *           the distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, the part that contains
+ *           r: 0 inside, 1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C.
+ *           FOOTPOINT_OK is proved, rounding errors included, which no order of summation changes: the point of the
+ *           closed segment that is closest to xS lies within NAME_PROMISE of loc, in xi and in eta, and in `region`,
+ *           unless it is within NAME_PROMISE of the region's border. If rounding prevents the proof, and always under
+ *           -ffast-math, the status is FOOTPOINT_UNPROVED.
+ *           Behind means (xS - r) . n < 0 for the segment's normal n. At an edge or a corner xS is behind only by more
+ *           than a small angle, 1e-12, and by more than rounding: a node beside a segment, in its plane, has dist > 0.
+ *           A negative sign is not yet contact: xS penetrates if dist < 0 and region is 0, or if NAME_closest_of with
+ *           all segments there has dist < 0.
+ *           On error all outputs are untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE if the segment has
+ *           no area; FOOTPOINT_ERR_DOMAIN if r is farther from xS than the longest edge.
+ * NAME_closest_n:  does the same for n pairs, each with its status; on error the other results may be overwritten.
+ * NAME_closest_of:  finds the nearest of n segments, the nodes of segment i being x[3 i] and on, such as
+ *           a search for neighbours returns; which is its number. dist < 0 behind the surface of the segments: at an
+ *           edge or a corner (xS - r) . n < 0 for the sum n of the unit normals of all segments that share it, each
+ *           times its angle there (Baerentzen and Aanaes 2005). This is the side of a closed surface if all segments at
+ *           that edge or corner are among the n; otherwise it is the side of the given segments. Nodes with equal
+ *           coordinates are the same node. FOOTPOINT_UNPROVED also if a segment without a proved answer may be nearer.
+ *           If distances are equal to rounding, either segment may be chosen. Segments without an answer are skipped;
+ *           if no segment has an answer, the status is the last segment's, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
 FOOTPOINT_PART unsigned long long footpoint_tri3_exact_detail(const double xA[3], const double xB[3],
                                                               const double xC[3], const double xS[3], double zero,
@@ -1447,32 +1428,32 @@ FOOTPOINT_FN int footpoint_tri3_exact_closest_of(size_t n, const double *const *
 /* The largest error of xi and eta behind FOOTPOINT_OK. */
 #define FOOTPOINT_ALONG_PROMISE 1e-9
 
-/* The larger one without a branch, which would keep loops from being vectorised. */
+/* Returns the larger number without a branch, which would keep loops from being vectorised. */
 FOOTPOINT_PART double footpoint_detail_larger(double a, double b)
 {
     return 0.5 * (a + b + fabs(a - b));
 }
 
-/* How far |x| is above 1, and 0 below. */
+/* Returns the excess of |x| over 1, and 0 below. */
 FOOTPOINT_PART double footpoint_detail_excess(double x)
 {
     const double more = fabs(x) - 1.0;
     return 0.5 * (more + fabs(more));
 }
 
-/* Half of the last digit of 1. */
+/* Returns half of the last digit of 1. */
 FOOTPOINT_PART double footpoint_detail_unit(void)
 {
     return 1.0 / (double)((unsigned long long)1 << 53);
 }
 
-/* The sum of the absolute values. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART double footpoint_detail_manhattan(const double a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-/* The status of a proved point on the face: proofs do not hold where compilers may order sums as they like. */
+/* Returns the status of a proved point on the face: proofs do not hold if compilers may reorder sums. */
 FOOTPOINT_PART int footpoint_detail_met(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -1482,7 +1463,7 @@ FOOTPOINT_PART int footpoint_detail_met(void)
 #endif
 }
 
-/* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
+/* Scales the direction to a length of about 1. Returns FOOTPOINT_ERR_DEGENERATE if it has no length. */
 FOOTPOINT_FN int footpoint_detail_along_scale(const double along[3], double p[3])
 {
     double most = 0.0;
@@ -1502,7 +1483,8 @@ FOOTPOINT_FN int footpoint_detail_along_scale(const double along[3], double p[3]
 
 #ifndef FOOTPOINT_TRI3_ALONG
 #define FOOTPOINT_TRI3_ALONG
-/* Returns c1 x c2 . p; *size: the sum of the absolute values of its terms, of which rounding errors are 7 units at most. */
+/* Returns c1 x c2 . p; *size: the sum of the absolute values of its terms, of which rounding errors are at most 7
+ * units. */
 FOOTPOINT_FN double footpoint_detail_tri3_across(const double *const *x, const double p[3], double *size)
 {
     double across = 0.0;
@@ -1518,9 +1500,9 @@ FOOTPOINT_FN double footpoint_detail_tri3_across(const double *const *x, const d
     return across;
 }
 
-/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless that
- * is proved to the promise: differences of nodes are off by a unit, scalar products with vectors at right angles to p by 6 more, and
- * xi and eta by 2 of their own. */
+/* Finds at = {xi, eta, distance times |p|}, with status FOOTPOINT_OK or FOOTPOINT_OUTSIDE. The highest bit of the
+ * result is set unless that is proved to the promise: differences of nodes are off by a unit, scalar products with
+ * vectors at right angles to p by 6 more, and xi and eta by 2 of their own. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri3_along(const double *const *x, const double p[3],
                                                               double at[3], int *status)
 {
@@ -1555,7 +1537,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri3_along(const double *cons
            footpoint_detail_bits(0.99 * FOOTPOINT_ALONG_PROMISE * fabs(across) - off);
 }
 
-/* In full: FOOTPOINT_ERR_DEGENERATE where rounding errors may hide that the line is parallel to the plane. */
+/* Searches in full. Returns FOOTPOINT_ERR_DEGENERATE if rounding errors may hide that the line is parallel to the
+ * plane. */
 FOOTPOINT_COLD int footpoint_detail_tri3_along_full(const double *const *x, const double p[3],
                                                     double at[3])
 {
@@ -1571,8 +1554,8 @@ FOOTPOINT_COLD int footpoint_detail_tri3_along_full(const double *const *x, cons
     return doubt >> 63 ? FOOTPOINT_UNPROVED : status;
 }
 
-/* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
- * out of range of numbers there is FOOTPOINT_ERR_DOMAIN. */
+/* Searches in full, in units of length in which the segment and the direction are about 1 long. Returns
+ * FOOTPOINT_ERR_DOMAIN if a slave node or a distance overflows there. */
 FOOTPOINT_COLD int footpoint_detail_tri3_along_again(const double *const *x, const double along[3],
                                                      double loc[2], double *dist)
 {
@@ -1602,19 +1585,19 @@ FOOTPOINT_COLD int footpoint_detail_tri3_along_again(const double *const *x, con
 }
 #endif
 
-/* footpoint_tri3_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
- *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  A point where the line meets the surface is proved to lie within FOOTPOINT_ALONG_PROMISE of
- *           loc, farther outside than 1 within that times |xi| or |eta|, rounding errors included; dist is that of r(loc).
- *           FOOTPOINT_OK: it meets the segment nowhere else; FOOTPOINT_NOT_UNIQUE: it meets the segment more than once, and the
- *           answer is the nearest of these points, to their errors; FOOTPOINT_OUTSIDE: it passes by the segment, and
- *           meets the surface there beyond the edges, which count for as thick as FOOTPOINT_ALONG_PROMISE.
- *           FOOTPOINT_UNPROVED: any of these or none, as where it nearly touches the segment.  loc and dist are untouched where it
- *           returns FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the
- *           edges is proved;
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, as far as rounding
- *           errors tell; and FOOTPOINT_ERR_NOT_FINITE.
- * footpoint_tri3_along_n:  the same for n pairs, each with its status and its direction, three columns. */
+/* footpoint_tri3_along:  finds the point at which the line through xS in the direction `along`, of any length but 0, meets the
+ *           segment: loc = {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along
+ *           the segment's normal dist is the gap. A point at which the line meets the surface is proved to lie within
+ *           FOOTPOINT_ALONG_PROMISE of loc, times |xi| or |eta| if these are above 1, rounding errors included; dist belongs to
+ *           r(loc). FOOTPOINT_OK: the line meets the segment nowhere else. FOOTPOINT_NOT_UNIQUE: it meets the segment
+ *           more than once, and the answer is the nearest of these points, to their errors. FOOTPOINT_OUTSIDE: it does
+ *           not meet the segment, but the surface beyond the edges, which count as FOOTPOINT_ALONG_PROMISE thick.
+ *           FOOTPOINT_UNPROVED: any of these or no point, for example if the line nearly touches the segment.
+ *           On error loc and dist are untouched: FOOTPOINT_ERR_DOMAIN if xS is too far away for a distance, or the line
+ *           does not meet the segment, and no point beyond the edges is proved; FOOTPOINT_ERR_DEGENERATE if there is no
+ *           area or no direction, or, within rounding errors, if the line is parallel to the segment's plane; and
+ *           FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_tri3_along_n:  does the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_tri3_along(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
                                       const double along[3], double loc[2], double *dist)
 {
@@ -1646,7 +1629,7 @@ FOOTPOINT_LOOP void footpoint_tri3_along_n(size_t n, const double *const x[12],
         double at[3];
         int outside;
         const unsigned long long flaw = footpoint_detail_tri3_along(row, q, at, &outside);
-        status[i] = outside - (int)(2 * (flaw >> 63)); /* < 0 where it is asked in full */
+        status[i] = outside - (int)(2 * (flaw >> 63)); /* < 0: a full search follows */
         xi[i] = at[0];
         eta[i] = at[1];
         dist[i] = at[2];

@@ -32,56 +32,56 @@
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
-#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own macros */
 #define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
-#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that unused results are not computed */
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#ifndef FOOTPOINT_APART /* before functions that stay separate: they vectorise whatever the caller's arrays */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_APART static __attribute__((noinline, unused))
 #else
 #define FOOTPOINT_APART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
+#ifndef FOOTPOINT_LOOP /* before loops over arrays: their callees are inlined, whatever their size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#ifndef FOOTPOINT_COLD /* before functions that are seldom called: not inlined */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
-                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#ifndef FOOTPOINT_EACH /* before loops over arrays that do not overlap; for clang pass -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns if it is not obeyed */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
-#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#ifndef FOOTPOINT_UNROLL /* before short loops inside loops over arrays, which vectorise only without them */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
-#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#ifndef FOOTPOINT_WHOLE /* the same for known counts, also long ones, which clang needs */
 #if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
 #else
@@ -115,8 +115,9 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS
 #define FOOTPOINT_DETAIL_BITS
-/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
- * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
     union {
@@ -127,8 +128,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     return both.bits;
 }
 
-/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
- * four instructions each instead of one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
 FOOTPOINT_PART double footpoint_detail_zero(void)
 {
     const volatile int zero = 0;
@@ -350,7 +351,7 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS
 #define FOOTPOINT_DETAIL_BOUNDS
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -360,7 +361,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 #endif
 }
 
-/* The greater number; a comparison with NaN raises no exception. */
+/* Returns the greater number; a comparison with NaN raises no exception. */
 FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -370,21 +371,27 @@ FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 #endif
 }
 
-/* The sum of the absolute values, and the largest. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART double footpoint_detail_sum(const double a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-FOOTPOINT_PART double footpoint_detail_most(const double a[3])
-{
-    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
-}
-
-/* The scalar product of a, >= 0, and |b|. */
+/* Returns the scalar product of a, >= 0, and |b|. */
 FOOTPOINT_PART double footpoint_detail_weigh(const double a[3], const double b[3])
 {
     return a[0] * fabs(b[0]) + a[1] * fabs(b[1]) + a[2] * fabs(b[2]);
+}
+
+/* Not less than the root of x >= 0, and at most 1.061 times that: half of its exponent, as logarithms have it. */
+FOOTPOINT_PART double footpoint_detail_root_bound(double x)
+{
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.bits = (footpoint_detail_bits(x) >> 1) + (footpoint_detail_bits(1.0) >> 1);
+    return both.number;
 }
 #endif
 
@@ -395,7 +402,7 @@ typedef struct {
     double u[3], v[3], uu[3], uv[3], vv[3], d[3];
 } footpoint_detail_local;
 
-/* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the square of the distance and per = 1 / det. */
+/* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the squared distance and per = 1 / det. */
 typedef struct {
     double r11, r12, r22, det, per, s, t;
 } footpoint_detail_newton;
@@ -416,8 +423,9 @@ FOOTPOINT_PART void footpoint_detail_newton_of(const footpoint_detail_local *r,
 
 #ifndef FOOTPOINT_TRI6_ANSWER
 #define FOOTPOINT_TRI6_ANSWER
-/* With u and v, (xi,eta) less the middle's, r = r0 + u e + v f + u^2 a / 2 + u v b + v^2 c / 2, d = xS - r0; `size`, the root of the
- * sum of the squares of differences that bound e to c.  Rounding: differences are off by a unit, e to c by 5. */
+/* With u and v, (xi,eta) minus the middle's, r = r0 + u e + v f + u^2 a / 2 + u v b + v^2 c / 2, d = xS - r0; `size`:
+ * the root of the sum of the squares of differences that bound e to c. Rounding: differences are off by a unit, e to c
+ * by 5. */
 typedef struct {
     double e[3], f[3], a[3], b[3], c[3], d[3], size;
 } footpoint_detail_tri6_terms;
@@ -444,7 +452,7 @@ FOOTPOINT_PART void footpoint_detail_tri6_expand(const double *const *x,
     t->size = sqrt(squares);
 }
 
-/* r - r0 - p e - q f at (p,q), from the middle. */
+/* Computes r - r0 - p e - q f at (p,q), from the middle. */
 FOOTPOINT_PART void footpoint_detail_tri6_arc(const footpoint_detail_tri6_terms *t, double p, double q,
                                               double w[3])
 {
@@ -454,7 +462,7 @@ FOOTPOINT_PART void footpoint_detail_tri6_arc(const footpoint_detail_tri6_terms 
         w[i] = p * (0.5 * (p * t->a[i]) + q * t->b[i]) + 0.5 * (q * q) * t->c[i];
 }
 
-/* Tangents and second derivatives at (p,q), and d = xS - r. */
+/* Computes tangents and second derivatives at (p,q), and d = xS - r. */
 FOOTPOINT_PART void footpoint_detail_tri6_local(const footpoint_detail_tri6_terms *t, double p,
                                                 double q, footpoint_detail_local *l)
 {
@@ -471,20 +479,21 @@ FOOTPOINT_PART void footpoint_detail_tri6_local(const footpoint_detail_tri6_term
     }
 }
 
-/* A bound, over `size`, on |r - D|, |r_xi| and |r_eta|, and when 1.8 times as large on second derivatives, |u| and |v| being x and
- * y, of sums of absolute values, too: e and f are at most the root of 2, a to c that of 32 times as long as `size`. */
+/* Returns a bound, over `size`, on |r - D|, |r_xi| and |r_eta|, and, times 1.8, on second derivatives, for |u| = x and
+ * |v| = y, and for sums of absolute values: e and f are at most the root of 2, a to c at most the root of 32 times as
+ * long as `size`. */
 FOOTPOINT_PART double footpoint_detail_tri6_growth(double x, double y)
 {
     return (1.0 + (x + y)) * (3.2 + 2.9 * (x + y));
 }
 
-/* As tightly, a bound on |r - r0|, and 0.4 for d at the middle. */
+/* Returns an equally tight bound on |r - r0|, and 0.4 for d at the middle. */
 FOOTPOINT_PART double footpoint_detail_tri6_spread(double x, double y)
 {
     return 0.4 + (x + y) * (1.42 + 2.83 * (x + y));
 }
 
-/* Bounds of third derivatives; there are none. */
+/* Bounds third derivatives, which are 0. */
 FOOTPOINT_PART void footpoint_detail_tri6_third(const footpoint_detail_tri6_terms *t, double x,
                                                 double y, double third[2])
 {
@@ -492,7 +501,7 @@ FOOTPOINT_PART void footpoint_detail_tri6_third(const footpoint_detail_tri6_term
     third[0] = third[1] = 0.0;
 }
 
-/* Third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q); there are none. */
+/* Computes the third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q), which are 0. */
 FOOTPOINT_PART void footpoint_detail_tri6_mixed(const footpoint_detail_tri6_terms *t, double p,
                                                 double q, double uuv[3], double uvv[3], double k[3])
 {
@@ -503,13 +512,13 @@ FOOTPOINT_PART void footpoint_detail_tri6_mixed(const footpoint_detail_tri6_term
         uuv[i] = uvv[i] = k[i] = 0.0;
 }
 
-/* Coordinates (p,q) of what follows are (xi,eta) less the middle's. */
+/* Returns the middle's coordinate. Below, coordinates (p,q) are (xi,eta) less the middle's. */
 FOOTPOINT_PART double footpoint_detail_tri6_middle(void)
 {
     return 3 == 3 ? 1.0 / 3.0 : 0.0;
 }
 
-/* From the middle the step of Gauss and Newton, less what the curvature on the way makes of it. */
+/* Takes a Gauss-Newton step from the middle, less the effect of curvature along it. */
 FOOTPOINT_PART void footpoint_detail_tri6_start(const footpoint_detail_tri6_terms *of, double *p,
                                                 double *q)
 {
@@ -525,7 +534,7 @@ FOOTPOINT_PART void footpoint_detail_tri6_start(const footpoint_detail_tri6_term
     *q = t - (ee * across - ef * along) * per;
 }
 
-/* A step of Newton from (*p,*q) to the foot point. */
+/* Takes a Newton step from (*p,*q) to the foot point. */
 FOOTPOINT_PART void footpoint_detail_tri6_bare(const footpoint_detail_tri6_terms *of, double *p,
                                                double *q)
 {
@@ -537,21 +546,22 @@ FOOTPOINT_PART void footpoint_detail_tri6_bare(const footpoint_detail_tri6_terms
     *q += n.t;
 }
 
-/* The same.  The highest bit of the result is not set if a minimum of the distance is proved to lie within promise *
- * max(1, |xi|, |eta|) of the answer.
+/* Takes a Newton step, too. The highest bit of the result is not set if a minimum of the distance is proved to lie
+ * within promise * max(1, |xi|, |eta|) of the answer.
  *
- * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11 r12; r12 r22];
- * `step` = |H^-1 F|.  Row i of the derivatives of H adds up to l_i = R_i A + 2 R A_i + |D| T_i at most, where R_i = |r_i|,
- * A_i = |r_i1| + |r_i2|, T_i = |r_i11| + 2 |r_i12| + |r_i22|, R and A being sums over i, each the largest in a ball of 1/8.  Let w =
- * max(r22 l_1 + |r12| l_2, |r12| l_1 + r11 l_2) / det, so that |1 - H^-1 H(y)| <= w |y - x|.  If h = w step <= 1/4, then there is a
- * root within 1.2 step of x, it is within 0.7 h step of the answer, and H is positive definite all the way there.
+ * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D) with D = xS - r has the Jacobian -H, H = [r11
+ * r12; r12 r22], and `step` = |H^-1 F|. Row i of the derivatives of H adds up to at most l_i = R_i A + 2 R A_i + |D|
+ * T_i. Here R_i = |r_i|, A_i = |r_i1| + |r_i2| and T_i = |r_i11| + 2 |r_i12| + |r_i22|; R and A are sums over i; each
+ * is the largest value in a ball of 1/8. Let w = max(r22 l_1 + |r12| l_2, |r12| l_1 + r11 l_2) / det, so that |1 - H^-1
+ * H(y)| <= w |y - x|. If h = w step <= 1/4, then a root lies within 1.2 step of x and within 0.7 h step of the answer,
+ * and H is positive definite all the way there.
  *
- * Rounding, of sums in any order, u = 1.11e-16: let far = |D| + growth size, see above.  Coordinates of tangents and second
- * derivatives are off by 10 u growth size (1.8 times that), of D by 20 u spread size + 7 u |D|, at most 18 u far, and dot products
- * and Cramer's rule count as 8 u |r_i| |D|: F is off by 30 u far (|r_i| + |D|), and for fine promises finer.  Entries of H are off by
- * 56 u far^2; that and what l_i are off by counts as much as 480 u step far^2 more, and takes 3000 u far^2 |H^-1| of what is allowed
- * to h.  The weak inequality of `det` keeps the rounding errors of w and of the step below what 0.72, 0.249, 0.999 and 0.1 for
- * 1/8 / 1.2 leave. */
+ * Rounding, of sums in any order, u = 1.11e-16: let far = |D| + growth size, see above. Coordinates of tangents and
+ * second derivatives are off by 10 u growth size (1.8 times that), of D by 20 u spread size + 7 u |D|, at most 18 u
+ * far, and dot products and Cramer's rule count as 8 u |r_i| |D|: F is off by 30 u far (|r_i| + |D|), and for fine
+ * promises finer. Entries of H are off by 56 u far^2; that and the errors of l_i count as much as 480 u step far^2
+ * more, and take 3000 u far^2 |H^-1| of the limit of h. The weak inequality of `det` keeps the rounding errors of w and
+ * of the step below the margins of 0.72, 0.249, 0.999 and 0.1 for 1/8 / 1.2. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_step(const footpoint_detail_tri6_terms *of,
                                                              double promise, double *p, double *q)
 {
@@ -604,7 +614,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_step(const footpoint_det
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
 }
 
-/* The gap (9) at (p,q). */
+/* Computes the gap (9) at (p,q). */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_reach(const footpoint_detail_tri6_terms *of, double p,
                                                               double q, double least, double *gap)
 {
@@ -649,7 +659,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_curved(const double *con
     return doubt | footpoint_detail_tri6_reach(&of, p, q, least, gap);
 }
 
-/* The square of the distance at `at`; and where gauss is not NULL, the step of Gauss and Newton from there, which leads downhill. */
+/* Returns the squared distance at `at` and, if gauss is not NULL, computes the Gauss-Newton step from there, which
+ * leads downhill. */
 FOOTPOINT_COLD double footpoint_detail_tri6_apart(const footpoint_detail_tri6_terms *of,
                                                   const double at[2], double *gauss)
 {
@@ -665,8 +676,8 @@ FOOTPOINT_COLD double footpoint_detail_tri6_apart(const footpoint_detail_tri6_te
     return footpoint_detail_dot(r.d, r.d);
 }
 
-/* From `at`, where the square of the distance is *apart, to `to`, if that is nearer; else by damped steps of Gauss and Newton, which
- * lead downhill.  0 if nothing is nearer. */
+/* Moves from `at`, where the squared distance is *apart, to `to`, if that is nearer; otherwise by damped Gauss-Newton
+ * steps, which lead downhill. Returns 0 if nothing is nearer. */
 FOOTPOINT_COLD int footpoint_detail_tri6_nearer(const footpoint_detail_tri6_terms *of, double to[2],
                                                 double at[2], double *apart)
 {
@@ -688,7 +699,8 @@ FOOTPOINT_COLD int footpoint_detail_tri6_nearer(const footpoint_detail_tri6_term
     return 1;
 }
 
-/* From `at` by up to 30 steps until one is proved.  0: it is; 1: steps have ended, rounding forbids the proof; 2: they have not. */
+/* Takes up to 30 steps from `at` until one is proved. Returns 0 if one is; 1 if steps have ended, because rounding
+ * prevents the proof; 2 if they have not. */
 FOOTPOINT_COLD int footpoint_detail_tri6_steps(const footpoint_detail_tri6_terms *of, double promise,
                                                double at[2])
 {
@@ -714,7 +726,8 @@ FOOTPOINT_COLD int footpoint_detail_tri6_steps(const footpoint_detail_tri6_terms
     return 2;
 }
 
-/* From (*xi,*eta), where a search ended, and if that leads nowhere from where NAME begins; FOOTPOINT_UNPROVED if nothing is proved. */
+/* Repairs an answer from (*xi,*eta), where a search ended, or else from the start of NAME; FOOTPOINT_UNPROVED if
+ * nothing is proved. */
 FOOTPOINT_COLD int footpoint_detail_tri6_repair(double y[7][3], double promise, double *xi,
                                                 double *eta)
 {
@@ -742,8 +755,9 @@ FOOTPOINT_COLD int footpoint_detail_tri6_repair(double y[7][3], double promise, 
     return left ? FOOTPOINT_UNPROVED : FOOTPOINT_OK;
 }
 
-/* The answer where a search is not good beyond doubt; promise <= 0: nothing is promised.  The search once more, as a loop takes fewer
- * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
+/* Answers if a search is not good beyond doubt; promise <= 0: nothing is promised. It repeats the search, because a
+ * loop takes fewer steps, in a unit of length in which the segment is about 1 long if it is far from that, then
+ * repairs. */
 FOOTPOINT_COLD int footpoint_detail_tri6_answer(footpoint_detail_search *search,
                                                 const double *const *x, int nodes, double promise,
                                                 double loc[2], double *gap)
@@ -772,7 +786,7 @@ FOOTPOINT_COLD int footpoint_detail_tri6_answer(footpoint_detail_search *search,
         }
         g = ldexp(g, exponent);
         if ((doubt | footpoint_detail_infinite(g)) >> 63)
-            return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+            return FOOTPOINT_ERR_DEGENERATE; /* the distance overflows */
     }
     loc[0] = xi;
     loc[1] = eta;
@@ -783,9 +797,10 @@ FOOTPOINT_COLD int footpoint_detail_tri6_answer(footpoint_detail_search *search,
 
 #ifndef FOOTPOINT_TRI6_FROM
 #define FOOTPOINT_TRI6_FROM
-/* From (*xi,*eta) to the foot point, and the gap there, by a step of Newton and then up to `stages` that are tested, 1 in a
- * loop over arrays.  The highest bit of the result is not set if a minimum of the distance is proved to lie within promise
- * of the answer, see footpoint_detail_tri6_step(), and that is no farther than half of the face from the start. */
+/* Moves from (*xi,*eta) to the foot point and computes the gap there, by a Newton step and up to `stages` tested steps,
+ * 1 in a loop over arrays. The highest bit of the result is not set if a minimum of the distance is proved to lie
+ * within promise of the answer, see footpoint_detail_tri6_step(), and the answer is at most half of the face from the
+ * start. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_from(const double *const *x, double promise, double least,
                                                              int stages, double *xi, double *eta, double *gap)
 {
@@ -810,19 +825,19 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_from(const double *const
            footpoint_detail_tri6_reach(&of, p, q, least, gap);
 }
 
-/* The search from scratch. */
+/* Searches without a last answer. */
 typedef int footpoint_detail_tri6_name(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                        const double xE[3], const double xF[3], const double xS[3], double loc[2],
                                        double *gap);
 
-/* Whether (xi,eta) is more than half of the segment away from loc, or one of them is NaN. */
+/* Returns its highest bit set if (xi,eta) is more than half of the segment away from loc, or NaN. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_strayed(const double loc[2], double xi, double eta)
 {
     return footpoint_detail_above(xi - loc[0], 1.0) | footpoint_detail_above(eta - loc[1], 1.0);
 }
 
-/* From loc by way of (xi,eta), to which an expansion about loc has led that proved nothing: two more, then the search
- * from scratch. */
+/* Continues from (xi,eta), the unproved end of an expansion about loc: takes two more expansions, then searches without
+ * a last answer. */
 FOOTPOINT_PART int footpoint_detail_tri6_further(footpoint_detail_tri6_name *name,
                                                  const double *const *x, double promise, double least,
                                                  double xi, double eta, double loc[2], double *gap)
@@ -830,7 +845,7 @@ FOOTPOINT_PART int footpoint_detail_tri6_further(footpoint_detail_tri6_name *nam
     double g;
     int k;
     for (k = 0; k < 2 && !(footpoint_detail_tri6_strayed(loc, xi, eta) >> 63); k++) {
-        const unsigned long long doubt = footpoint_detail_tri6_from(x, promise, least, 3, &xi, &eta, &g);
+        const unsigned long long doubt = footpoint_detail_tri6_from(x, promise, least, 2, &xi, &eta, &g);
         if (!((doubt | footpoint_detail_tri6_strayed(loc, xi, eta)) >> 63)) {
             loc[0] = xi;
             loc[1] = eta;
@@ -841,8 +856,8 @@ FOOTPOINT_PART int footpoint_detail_tri6_further(footpoint_detail_tri6_name *nam
     return name(x[0], x[1], x[2], x[3], x[4], x[5], x[6], loc, gap);
 }
 
-/* An element of arrays of last answers in place, from which loops over arrays have led to (u,v); not inlined, as it is
- * seldom called. */
+/* Follows an element of arrays of last answers, which a loop has moved to (u,v). It is seldom called, and so not
+ * inlined. */
 FOOTPOINT_COLD void footpoint_detail_tri6_follow_one(footpoint_detail_tri6_name *name,
                                                      const double *const *x, double promise, double least,
                                                      double u, double v, double *xi, double *eta, double *gap,
@@ -856,86 +871,35 @@ FOOTPOINT_COLD void footpoint_detail_tri6_follow_one(footpoint_detail_tri6_name 
     *eta = loc[1];
 }
 
-/* Arrays are followed in parts: all of a part in a loop, and once more if many are not proved then. */
+/* Follows arrays in parts, each in a loop that is repeated if many answers are not proved. */
 enum { footpoint_detail_tri6_span = 64, footpoint_detail_tri6_few = 8 };
 
-FOOTPOINT_PART void footpoint_detail_tri6_from_n(footpoint_detail_tri6_name *name, size_t n,
-                                                 const double *const *x, double promise, double least,
-                                                 double *FOOTPOINT_RESTRICT xi,
-                                                 double *FOOTPOINT_RESTRICT eta,
-                                                 double *FOOTPOINT_RESTRICT gap,
-                                                 int *FOOTPOINT_RESTRICT status)
+/* Copies the vectors of pair i from the columns x. With `over`, x has the slave nodes' columns and c is the segment. */
+FOOTPOINT_PART void footpoint_detail_tri6_pair(double (*c)[3], int over, const double *const *x,
+                                               size_t i, double p[7][3])
 {
-    double u[footpoint_detail_tri6_span], v[footpoint_detail_tri6_span];
-    size_t first, i;
-    for (first = 0; first < n; first += footpoint_detail_tri6_span) {
-        const size_t m = n - first < (size_t)footpoint_detail_tri6_span
-                             ? n - first
-                             : (size_t)footpoint_detail_tri6_span;
-        int open = 0;
-        FOOTPOINT_EACH
-        for (i = first; i < first + m; i++) {
-            const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}};
-            const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
-            double a = xi[i], b = eta[i], g;
-            const int doubt =
-                (int)(footpoint_detail_tri6_from(row, promise, least, 1, &a, &b, &g) >> 63);
-            u[i - first] = a;
-            v[i - first] = b;
-            gap[i] = g;
-            status[i] = FOOTPOINT_UNPROVED * doubt;
-            open += doubt;
-        }
-        if (open > footpoint_detail_tri6_few) {
-            FOOTPOINT_EACH
-            for (i = first; i < first + m; i++) {
-                const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}};
-                const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
-                const double last[2] = {xi[i], eta[i]};
-                double a = u[i - first], b = v[i - first], g;
-                const int good = status[i] == FOOTPOINT_OK;
-                const unsigned long long doubt =
-                    footpoint_detail_tri6_from(row, promise, least, 1, &a, &b, &g) |
-                    footpoint_detail_tri6_strayed(last, a, b);
-                u[i - first] = good ? u[i - first] : a;
-                v[i - first] = good ? v[i - first] : b;
-                gap[i] = good ? gap[i] : g;
-                status[i] = good ? FOOTPOINT_OK : FOOTPOINT_UNPROVED * (int)(doubt >> 63);
-            }
-        }
-        for (i = first; i < first + m; i++)
-            if (status[i] == FOOTPOINT_OK) {
-                xi[i] = u[i - first];
-                eta[i] = v[i - first];
-            } else {
-                const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}};
-                const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
-                footpoint_detail_tri6_follow_one(name, row, promise, least, u[i - first],
-                                                 v[i - first], &xi[i], &eta[i], &gap[i],
-                                                 &status[i]);
-            }
+    int k, j;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 7; k++) {
+        FOOTPOINT_UNROLL
+        for (j = 0; j < 3; j++)
+            p[k][j] = !over ? x[3 * k + j][i] : k < 6 ? c[k][j] : x[j][i];
     }
 }
 
-/* The same over one segment. */
+/* Searches n pairs or, with `over`, n slave nodes over a segment, which is copied so that no result can change it. */
 FOOTPOINT_PART void
-footpoint_detail_tri6_from_over_n(footpoint_detail_tri6_name *name, const double *const *segment,
-                                  size_t n, const double *const *x, double promise, double least,
-                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+footpoint_detail_tri6_from_n(footpoint_detail_tri6_name *name, int over, const double *const *segment,
+                             size_t n, const double *const *x, double promise, double least,
+                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
     double c[6][3], u[footpoint_detail_tri6_span], v[footpoint_detail_tri6_span];
     size_t first, i;
     int j, k;
     for (k = 0; k < 6; k++)
         for (j = 0; j < 3; j++)
-            c[k][j] = segment[k][j];
+            c[k][j] = over ? segment[k][j] : 0.0;
     for (first = 0; first < n; first += footpoint_detail_tri6_span) {
         const size_t m = n - first < (size_t)footpoint_detail_tri6_span
                              ? n - first
@@ -943,10 +907,11 @@ footpoint_detail_tri6_from_over_n(footpoint_detail_tri6_name *name, const double
         int open = 0;
         FOOTPOINT_EACH
         for (i = first; i < first + m; i++) {
-            const double slave[3] = {x[0][i], x[1][i], x[2][i]};
-            const double *const row[7] = {c[0], c[1], c[2], c[3], c[4], c[5], slave};
-            double a = xi[i], b = eta[i], g;
-            const int doubt =
+            double p[7][3], a = xi[i], b = eta[i], g;
+            const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
+            int doubt;
+            footpoint_detail_tri6_pair(c, over, x, i, p);
+            doubt =
                 (int)(footpoint_detail_tri6_from(row, promise, least, 1, &a, &b, &g) >> 63);
             u[i - first] = a;
             v[i - first] = b;
@@ -957,14 +922,14 @@ footpoint_detail_tri6_from_over_n(footpoint_detail_tri6_name *name, const double
         if (open > footpoint_detail_tri6_few) {
             FOOTPOINT_EACH
             for (i = first; i < first + m; i++) {
-                const double slave[3] = {x[0][i], x[1][i], x[2][i]};
-                const double *const row[7] = {c[0], c[1], c[2], c[3], c[4], c[5], slave};
+                double p[7][3], a = u[i - first], b = v[i - first], g;
+                const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
                 const double last[2] = {xi[i], eta[i]};
-                double a = u[i - first], b = v[i - first], g;
                 const int good = status[i] == FOOTPOINT_OK;
-                const unsigned long long doubt =
-                    footpoint_detail_tri6_from(row, promise, least, 1, &a, &b, &g) |
-                    footpoint_detail_tri6_strayed(last, a, b);
+                unsigned long long doubt;
+                footpoint_detail_tri6_pair(c, over, x, i, p);
+                doubt = footpoint_detail_tri6_from(row, promise, least, 1, &a, &b, &g) |
+                        footpoint_detail_tri6_strayed(last, a, b);
                 u[i - first] = good ? u[i - first] : a;
                 v[i - first] = good ? v[i - first] : b;
                 gap[i] = good ? gap[i] : g;
@@ -976,8 +941,9 @@ footpoint_detail_tri6_from_over_n(footpoint_detail_tri6_name *name, const double
                 xi[i] = u[i - first];
                 eta[i] = v[i - first];
             } else {
-                const double slave[3] = {x[0][i], x[1][i], x[2][i]};
-                const double *const row[7] = {c[0], c[1], c[2], c[3], c[4], c[5], slave};
+                double p[7][3];
+                const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
+                footpoint_detail_tri6_pair(c, over, x, i, p);
                 footpoint_detail_tri6_follow_one(name, row, promise, least, u[i - first],
                                                  v[i - first], &xi[i], &eta[i], &gap[i],
                                                  &status[i]);
@@ -1008,8 +974,8 @@ FOOTPOINT_PART void footpoint_detail_tri6_n(footpoint_detail_tri6_search *search
     }
 }
 
-/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
- * doubt is searched in full behind the loop. */
+/* Searches with statuses. p: the vectors, the first `nodes` of which another unit of length changes. Answers that are
+ * not good beyond doubt are searched in full after the loop. */
 FOOTPOINT_PART void footpoint_detail_tri6_full(footpoint_detail_search *search,
                                                const double *const *row, int nodes, double promise,
                                                double *xi, double *eta, double *gap, int *status)
@@ -1105,19 +1071,6 @@ FOOTPOINT_PART double footpoint_detail_either(double step, double a, double b)
     return (1.0 - step) * a + step * b;
 }
 
-/* Returns the margin by which the squared distance dd of a point inside may exceed the squared distance of a point of an edge, so that
- * the inner point is still taken: the rounding errors of both, if d = xS - r is normal to u = r_xi and v = r_eta within rounding.
- * Otherwise no foot point lies there, and dd must be less by as much. */
-FOOTPOINT_PART double footpoint_detail_leeway(const double u[3], const double v[3], const double d[3],
-                                              double dd, double size)
-{
-    const double ud = footpoint_detail_dot(u, d), vd = footpoint_detail_dot(v, d);
-    const double tilt = 4e-16 * dd + 1e-29 * size;
-    const double over = tilt * footpoint_detail_dot(u, u) - ud * ud;
-    const double other = tilt * footpoint_detail_dot(v, v) - vd * vd;
-    return copysign(4e-16 * (dd + size), other < over ? other : over);
-}
-
 /* Returns a number < 0 if d = xS - r points behind a face whose normal at r is n, > 0 otherwise.  At a point of an edge,
  * for which `edge` is 1 (inside 0), xS is behind only by more than a small angle and by more than the rounding
  * errors: beside a flat face, in its plane, it is not.  dd: the square of d; size: of the edges; spread: of the products
@@ -1176,26 +1129,6 @@ FOOTPOINT_PART double footpoint_detail_square_middle(void)
 FOOTPOINT_PART double footpoint_detail_triangle_middle(void)
 {
     return 1.0 / 3.0;
-}
-
-/* Keeps the end `to` of a step from (xi,eta) = at within the range of xi and eta, at least a tenth of the way off the edge. */
-FOOTPOINT_PART void footpoint_detail_square_clamp(const double at[2], double to[2])
-{
-    int i;
-    for (i = 0; i < 2; i++) {
-        const double least = 0.1 * (1.0 + at[i]) - 1.0, most = 1.0 - 0.1 * (1.0 - at[i]);
-        to[i] = to[i] < least ? least : to[i] > most ? most : to[i];
-    }
-}
-
-FOOTPOINT_PART void footpoint_detail_triangle_clamp(const double at[2], double to[2])
-{
-    const double over = 0.5 * (to[0] + to[1] - 1.0 + 0.1 * (1.0 - at[0] - at[1]));
-    int i;
-    for (i = 0; i < 2; i++) {
-        to[i] -= over > 0.0 ? over : 0.0;
-        to[i] = to[i] < 0.1 * at[i] ? 0.1 * at[i] : to[i];
-    }
 }
 
 /* Moves (xi,eta) to the middle of its edge if the ends of this edge coincide.  Triangles have no such edges. */
@@ -1275,9 +1208,6 @@ FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
  * lanes = 1 in a loop over arrays. */
 typedef int footpoint_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
                                     int *region);
-
-/* A search of closest points: x has the vectors of the call; at = {xi, eta, square of the distance with its sign}. */
-typedef int footpoint_detail_nearest(const double *const *x, double zero, double at[3], int *region);
 
 /* Writes its answer for the caller, if there is an answer. */
 FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[3], int where,
@@ -1385,19 +1315,14 @@ FOOTPOINT_PART double footpoint_detail_curve_end(const double *a, const double *
 
 #ifndef FOOTPOINT_DETAIL_LIMITS
 #define FOOTPOINT_DETAIL_LIMITS
-/* What is proved of the whole face where the promise is finer than this. */
-#define FOOTPOINT_DETAIL_CLOSE 1e-9
+/* Results of a proof of the whole face: FAR, or another point from which to continue. */
+#define FOOTPOINT_DETAIL_FAR 0
+#define FOOTPOINT_DETAIL_NEARER 1
+#define FOOTPOINT_DETAIL_DOUBT 2
+#define FOOTPOINT_DETAIL_PARTS 400 /* most parts that are examined */
+#define FOOTPOINT_DETAIL_DEPTH 60
 
-/* What such a proof comes to: FAR, or another point to go on from. */
-enum {
-    FOOTPOINT_DETAIL_FAR,
-    FOOTPOINT_DETAIL_NEARER,
-    FOOTPOINT_DETAIL_DOUBT,
-    FOOTPOINT_DETAIL_PARTS = 400, /* as many parts are looked at */
-    FOOTPOINT_DETAIL_DEPTH = 60
-};
-
-/* The quadratic -2 f.k + k.M k, M = [m11 m12; m12 m22], at k, and its slopes. */
+/* Returns the quadratic -2 f.k + k.M k, M = [m11 m12; m12 m22], at k, and computes its slopes. */
 FOOTPOINT_COLD double footpoint_detail_bowl(const double f[2], const double m[3], const double k[2],
                                             double slope[2])
 {
@@ -1414,7 +1339,7 @@ FOOTPOINT_COLD double footpoint_detail_convex(double m[3], double a, double b)
     double most, over;
     m[0] += p;
     m[2] += q;
-    most = (1.0 - 1e-12) * sqrt(m[0] * m[2]);
+    most = (1.0 - 16.0 * 1.12e-16) * sqrt(m[0] * m[2]);
     over = footpoint_detail_greater(fabs(m[1]) - most, 0.0);
     m[1] = fabs(m[1]) > most ? copysign(most, m[1]) : m[1];
     return p * (a * a) + q * (b * b) + 2.0 * over * (a * b);
@@ -1461,6 +1386,13 @@ FOOTPOINT_COLD void footpoint_detail_tri6_leave(const double *const *x, int k, i
         if (footpoint_detail_dot(slope, slope) > 1e-20 * footpoint_detail_dot(e, e))
             for (i = 0; i < 3; i++)
                 e[i] = slope[i];
+    }
+    if (7 > 6 + 1) { /* edges of patches begin at right angles to the normal */
+        const double *const n = x[6 + from];
+        const double along = footpoint_detail_dot(e, n);
+        int i;
+        for (i = 0; i < 3; i++)
+            e[i] -= along * n[i];
     }
 }
 
@@ -1592,19 +1524,22 @@ FOOTPOINT_COLD int footpoint_detail_tri6_behind_all(size_t n, const double *cons
     return footpoint_detail_tri6_behind(row, loc, 1, fan);
 }
 
-/* A point (xi,eta) = at of the closed face, and coordinates (s,t) from there: of quadrilaterals xi and eta less the point's.
- * Of a triangle they are the two that vanish at corner number `turn`, so that t >= 0 is the edge between it and the next,
- * if the point is on an edge, and s, t >= 0 if it is a corner.  held: of s and of t, -1 if the face is where it is >= 0, 1 if
- * it is where it is <= 0, else 0.  r: derivatives by s and t, d = xS - r; uuv, uvv, k: r_sst, r_stt, r_sstt.  f, g: slopes
- * r_s . d and r_t . d, off by off_f and off_g; dd = d . d; a, b, c: r_ss . d, r_st . d, r_tt . d.  far bounds all vectors. */
+/* A point (xi,eta) = at of the closed face, and coordinates (s,t) from there. For quadrilaterals they are xi and eta
+ * minus the point's. For a triangle they are the two that vanish at corner number `turn`, so that t >= 0 is the edge
+ * between it and the next if the point is on an edge, and s, t >= 0 if it is a corner. held: for s and for t, -1 if the
+ * face lies at >= 0, 1 if at <= 0, otherwise 0. r: derivatives by s and t, d = xS - r; uuv, uvv, k: r_sst, r_stt,
+ * r_sstt. f, g: slopes r_s . d and r_t . d, off by off_f and off_g; dd = d . d; a, b, c: r_ss . d, r_st . d, r_tt . d.
+ * far bounds all vectors. By rounding, entries of the matrix M are off by `off`, d by off_d, dd and its changes by
+ * off_dd. Within h of the point, slopes differ from their linear part by at most bent h^2 and change by stiff h. */
 typedef struct {
     footpoint_detail_local r;
-    double at[2], uuv[3], uvv[3], k[3], f, g, dd, a, b, c, off_f, off_g, far;
+    double at[2], uuv[3], uvv[3], k[3], f, g, dd, a, b, c, off_f, off_g, far, off, off_d, off_dd,
+        bent, stiff;
     double held[2];
     int turn;
 } footpoint_detail_tri6_anchor;
 
-/* 0 inside; 1 to 3: edges; from there on corners. */
+/* Returns the region: 0 inside; 1 to 3: edges; then corners. */
 FOOTPOINT_PART int footpoint_detail_tri6_region(const double at[2])
 {
     if (3 == 3) {
@@ -1618,7 +1553,7 @@ FOOTPOINT_PART int footpoint_detail_tri6_region(const double at[2])
     }
 }
 
-/* Derivatives by xi and eta become those by s and t. */
+/* Converts derivatives by xi and eta to those by s and t. */
 FOOTPOINT_PART void footpoint_detail_tri6_turned(int turn, footpoint_detail_local *r)
 {
     int i;
@@ -1633,7 +1568,7 @@ FOOTPOINT_PART void footpoint_detail_tri6_turned(int turn, footpoint_detail_loca
     }
 }
 
-/* (s,t) from the anchor to (xi,eta) = to. */
+/* Computes (s,t) from the anchor to (xi,eta) = to. */
 FOOTPOINT_PART void footpoint_detail_tri6_way(const footpoint_detail_tri6_anchor *z,
                                               const double to[2], double h[2])
 {
@@ -1644,7 +1579,9 @@ FOOTPOINT_PART void footpoint_detail_tri6_way(const footpoint_detail_tri6_anchor
 
 /* Slopes.  Rounding, u = 1.12e-16, as in footpoint_detail_tri6_step: tangents are off by 10 u growth size, d by 20 u spread size + 7 u
  * |d|.  (xi,eta) of a triangle, less the middle's, is off by u itself, which makes 3.6 u growth size of tangents, and turned ones are
- * off by twice as much; and u (|r_xi| + |r_eta|) of d. */
+ * off by twice as much; and u (|r_xi| + |r_eta|) of d.  Entries of M are off by 4000 u far^2, tangents being off by 14 u G, second
+ * derivatives by 18 u G, and |s|, |t| <= 2; coordinates of d by 26 u far, dd by 60 u far^2.  Third derivatives of half the square of
+ * the distance, by both coordinates twice, are less than 40 far^2, and second derivatives 8 far^2. */
 FOOTPOINT_PART void footpoint_detail_tri6_slopes(const footpoint_detail_tri6_terms *of, double p,
                                                  double q, footpoint_detail_tri6_anchor *z)
 {
@@ -1656,6 +1593,7 @@ FOOTPOINT_PART void footpoint_detail_tri6_slopes(const footpoint_detail_tri6_ter
     const double place = 20.0 * footpoint_detail_tri6_spread(x, y) * of->size + 15.0 * d +
                        (3 == 3 ? 2.0 * (u + v) : 0.0);
     const double turn = (3 == 3 ? 28.0 : 10.0) * grown * d;
+    double square;
     z->f = footpoint_detail_dot(z->r.u, z->r.d);
     z->g = footpoint_detail_dot(z->r.v, z->r.d);
     z->off_f = unit * (place * u + turn);
@@ -1663,6 +1601,12 @@ FOOTPOINT_PART void footpoint_detail_tri6_slopes(const footpoint_detail_tri6_ter
     z->far = d + (3 == 3 ? 2.0 * footpoint_detail_tri6_growth(0.5, 0.5)
                                : footpoint_detail_tri6_growth(1.0, 1.0)) *
                      of->size;
+    square = z->far * z->far;
+    z->off = 4000.0 * unit * square;
+    z->off_d = 26.0 * unit * z->far;
+    z->off_dd = 200.0 * unit * square;
+    z->bent = 40.0 * square;
+    z->stiff = 20.0 * square;
 }
 
 FOOTPOINT_PART void footpoint_detail_tri6_anchor_at(const footpoint_detail_tri6_terms *of,
@@ -1688,13 +1632,14 @@ FOOTPOINT_PART void footpoint_detail_tri6_anchor_at(const footpoint_detail_tri6_
     z->c = footpoint_detail_dot(z->r.vv, z->r.d);
 }
 
-/* A matrix M(s,t) over a part of the face: its corners' least determinant, less rounding, and least and greatest entries. */
+/* A matrix M(s,t) over a part of the face: the least determinant at its corners, minus rounding, and least and greatest
+ * entries. */
 typedef struct {
     double m11[3], m12[3], m22[3], det, low, wide, high;
 } footpoint_detail_tri6_form;
 
-/* How fast half the square of the distance grows, `grows`, from an edge into the face, or may fall, `falls`: a slope f
- * is off by `off`. */
+/* Computes how fast half the squared distance grows from an edge into the face, `grows`, or may fall, `falls`; a slope
+ * f is off by `off`. */
 FOOTPOINT_PART void footpoint_detail_tri6_grows(double held, double f, double off, double *grows,
                                                 double *falls)
 {
@@ -1715,14 +1660,13 @@ FOOTPOINT_PART void footpoint_detail_tri6_grows(double held, double f, double of
  * linear in s and in t, so that it is a mean of its values at corners.  At an edge s has one sign, s f = -|s| grow, and |s| >= s^2 /
  * most |s|.
  *
- * Rounding: with u = 1.12e-16, entries are off by 4000 u far^2; see footpoint_detail_tri6_slopes, tangents being off by 14 u G, second
- * derivatives by 18 u G, and |s|, |t| <= 2. */
+ * By rounding entries are off by z->off; see footpoint_detail_tri6_slopes. */
 FOOTPOINT_PART void footpoint_detail_tri6_form_over(const footpoint_detail_tri6_anchor *z,
                                                     double h[3][2], const double grow[2],
                                                     footpoint_detail_tri6_form *m)
 {
     const footpoint_detail_local *const r = &z->r;
-    const double off = 4000.0 * 1.12e-16 * (z->far * z->far);
+    const double off = z->off;
     double a[3], b[3], x[6] = {0}, y[6] = {0}, s, t, st, aa, ab, bb, most_s = 0.0, most_t = 0.0;
     double duuv = 0.0, duvv = 0.0, dk = 0.0, ak = 0.0, bk = 0.0, half_s = 0.0, half_t = 0.0, mixed,
          across = 0.0;
@@ -1801,14 +1745,14 @@ FOOTPOINT_PART void footpoint_detail_tri6_form_over(const footpoint_detail_tri6_
     m->det -= 4.0 * off * (m->wide + m->high) + 2.2250738585072014e-308;
 }
 
-/* How far from z, in s and in t, a point may be for all that: promise, of turned coordinates half of it; and within the region, or
- * 4e-10. */
+/* Computes how far from z, in s and in t, a point may be: promise, half of it for turned coordinates; and within the
+ * region, or 4e-10. */
 FOOTPOINT_PART void footpoint_detail_tri6_reach_of(const footpoint_detail_tri6_anchor *z,
                                                    double promise, double reach[2])
 {
     const double least = 4e-10, p = 3 == 3 ? 0.5 * promise : promise;
     double room = 1.0 - fabs(z->at[0]), other = 1.0 - fabs(z->at[1]);
-    if (3 == 3) { /* two coordinates of three on an edge */
+    if (3 == 3) { /* two of the three coordinates on an edge */
         const double l[3] = {1.0 - z->at[0] - z->at[1], z->at[0], z->at[1]};
         const double ends = footpoint_detail_least(l[z->turn], l[(z->turn + 1) % 3]);
         room = fabs(z->held[1]) > 0.0 ? 1.0 : l[(z->turn + 2) % 3];
@@ -1826,9 +1770,10 @@ FOOTPOINT_PART void footpoint_detail_tri6_reach_of(const footpoint_detail_tri6_a
  * unless it is within 1e-9 of that region's border.
  *
  * If det M >= Q > 0 all over the part, with high >= m22 and wide >= m11, then M exceeds the diagonal matrix of Q / (2 high) and Q / (2
- * wide).  So with X = Q / (4 high), Y = Q / (4 wide), f and g what half the square of the distance may fall by, less half of what
+ * wide). So with X = Q / (4 high), Y = Q / (4 wide), f and g what half the square of the distance may fall by, less half of what
  * it grows by, phi(s,t) - phi(z) >= (X s^2 - |s| f) + (Y t^2 - |t| g), which is > 0 for all |s| > p if p (X p - f) > g^2 / (4 Y), and
- * likewise for |t|.  0.999 leaves for what follows more than it can lose. */
+ * likewise for |t|. 0.999 leaves for what follows more than it can lose, but
+ * for what underflows, less than 1e-300. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_sole(const footpoint_detail_tri6_anchor *z,
                                                              double h[3][2], double promise)
 {
@@ -1844,27 +1789,27 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_sole(const footpoint_det
     other = reach[1] * m.det;
     s = room * (0.999 * room - 4.0 * m.high * (f - grow[0])) - 4.0 * (m.wide * m.high) * (g * g);
     t = other * (0.999 * other - 4.0 * m.wide * (g - grow[1])) - 4.0 * (m.wide * m.high) * (f * f);
-    return footpoint_detail_bits(m.det) | footpoint_detail_bits(m.low) | footpoint_detail_bits(s) |
-           footpoint_detail_bits(t) | footpoint_detail_infinite(s + t) | footpoint_detail_fast();
+    return footpoint_detail_bits(m.det) | footpoint_detail_bits(m.low) |
+           footpoint_detail_bits(s - 1e-300) | footpoint_detail_bits(t - 1e-300) |
+           footpoint_detail_infinite(s + t) | footpoint_detail_fast();
 }
 
 /* The highest bit of the result is not set if the closest point, known to be within `close` of z, in s and in t, is within promise:
- * inside, both slopes vanish there, and have changed by the Hessian at z and at most half the third derivatives times close^2.  On an
- * edge where the slope outwards keeps its sign, the slope along it vanishes.  Third derivatives of half the square of the distance, by
- * both coordinates twice, are less than 40 far^2, and second derivatives 8 far^2. */
+ * inside, both slopes vanish there, and have changed by the Hessian at z and at most half the third derivatives times close^2. On an
+ * edge where the slope outwards keeps its sign, the slope along it vanishes. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_within(const footpoint_detail_tri6_anchor *z,
                                                                double close, double promise)
 {
-    const double square = z->far * z->far, bend = 40.0 * square * (close * close);
-    const double off = 4000.0 * 1.12e-16 * square, p = 3 == 3 ? 0.5 * promise : promise;
+    const double bend = z->bent * (close * close), off = z->off,
+               p = 3 == 3 ? 0.5 * promise : promise;
     const double f = fabs(z->f) + z->off_f + bend, g = fabs(z->g) + z->off_g + bend;
     const double h11 = footpoint_detail_dot(z->r.u, z->r.u) - z->a;
     const double h12 = footpoint_detail_dot(z->r.u, z->r.v) - z->b;
     const double h22 = footpoint_detail_dot(z->r.v, z->r.v) - z->c;
     const double det = h11 * h22 - h12 * h12 - 4.0 * off * (fabs(h11) + fabs(h22));
-    const double turn = fabs(h12) + off, kept = 20.0 * square * close;
-    const double both =
-        p * det - 1.05 * footpoint_detail_greater(h22 * f + turn * g, h11 * g + turn * f);
+    const double turn = fabs(h12) + off, kept = z->stiff * close;
+    const double both = p * det - 1.05 * footpoint_detail_greater((h22 + off) * f + turn * g,
+                                                                  (h11 + off) * g + turn * f);
     const double of_s =
         fabs(z->held[0]) > 0.0 ? z->held[0] * z->f - z->off_f - kept : p * (h11 - off) - 1.05 * f;
     const double of_t =
@@ -1880,7 +1825,44 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_within(const footpoint_d
            footpoint_detail_infinite(room);
 }
 
-/* The longest edge's chord, squared. */
+/* Returns roughly the sum of the squares of its edges. */
+FOOTPOINT_PART double footpoint_detail_tri6_extent(const footpoint_detail_tri6_terms *of)
+{
+    return 4.0 * of->size * of->size;
+}
+
+/* Returns a lower bound on the distance of the face, for any slave node: by the ball about the middle that contains all
+ * control points. */
+FOOTPOINT_COLD double footpoint_detail_tri6_none_within(const double *const *x)
+{
+    footpoint_detail_tri6_terms of;
+    double e[3], most = 0.0, middle;
+    int k, i;
+    footpoint_detail_tri6_expand(x, &of);
+    for (k = 0; k < 6; k++) {
+        const int side = k - 3, next = (side + 1) % 3;
+        const int between = side >= 0 && side < 3;
+        for (i = 0; i < 3; i++)
+            e[i] = (between ? 2.0 * x[k][i] - 0.5 * (x[side][i] + x[next][i]) : x[k][i]) -
+                   x[6][i] + of.d[i];
+        most = footpoint_detail_greater(most, footpoint_detail_dot(e, e));
+    }
+    if (3 == 4) { /* the control point in the middle, so that the face has r0 there */
+        for (i = 0; i < 3; i++) {
+            e[i] = 0.0;
+            for (k = 0; k < 2 * 3; k++)
+                e[i] += (k < 3 ? 0.25 : -1.0) * (x[k][i] - x[6][i] + of.d[i]);
+        }
+        most = footpoint_detail_greater(most, footpoint_detail_dot(e, e));
+    }
+    middle = footpoint_detail_length(of.d);
+    if (footpoint_detail_infinite(middle) >> 63)
+        return middle;
+    most = sqrt(most);
+    return footpoint_detail_greater(middle - most - 900.0 * 1.12e-16 * (middle + most), 0.0);
+}
+
+/* Returns the square of the longest edge's chord. */
 FOOTPOINT_PART double footpoint_detail_tri6_longest(const double *const *x)
 {
     double most = 0.0, e[3];
@@ -1893,31 +1875,7 @@ FOOTPOINT_PART double footpoint_detail_tri6_longest(const double *const *x)
     return most;
 }
 
-/* The nearest point of all edges that steps find. */
-FOOTPOINT_PART void footpoint_detail_tri6_on_edges(const double *const *x, double at[2])
-{
-    double c[5][8], place[8], best = 0.0, along = 0.0, t, from[2], to[2];
-    int k, edge = 0;
-    for (k = 0; k < 3; k++)
-        (void)footpoint_detail_curve_begin(x[k], x[3 + k], x[(k + 1) % 3], x[6], k,
-                                           3, c, place);
-    footpoint_detail_curve_steps(3, c, place);
-    for (k = 0; k < 3; k++) {
-        const double dd = footpoint_detail_curve_end(x[k], x[3 + k], x[(k + 1) % 3],
-                                                     x[6], k, 3, place, &t);
-        if (k == 0 || dd < best) {
-            best = dd;
-            along = t;
-            edge = k;
-        }
-    }
-    footpoint_detail_triangle_corner(edge, from);
-    footpoint_detail_triangle_corner((edge + 1) % 3, to);
-    for (k = 0; k < 2; k++)
-        at[k] = along >= 1.0 ? to[k] : from[k] + (0.5 + 0.5 * along) * (to[k] - from[k]);
-}
-
-/* The square of the distance at z, with its sign.  Where tangents are not nearly parallel, the normal is u x v. */
+/* Returns the squared distance at z, with its sign. If tangents are not nearly parallel, the normal is u x v. */
 FOOTPOINT_PART double footpoint_detail_tri6_signed(const double *const *x,
                                                    const footpoint_detail_tri6_anchor *z, double size,
                                                    int region, unsigned long long *flat)
@@ -1947,7 +1905,7 @@ FOOTPOINT_PART double footpoint_detail_tri6_signed(const double *const *x,
     return copysign(z->dd, footpoint_detail_side(u, v, m, n, z->dd, size, edge));
 }
 
-/* Corners of the face, (xi,eta). */
+/* Computes the corners of the face, (xi,eta). */
 FOOTPOINT_PART void footpoint_detail_tri6_whole(double part[3][2])
 {
     int k;
@@ -1956,7 +1914,7 @@ FOOTPOINT_PART void footpoint_detail_tri6_whole(double part[3][2])
         footpoint_detail_triangle_corner(k, part[k]);
 }
 
-/* footpoint_detail_tri6_sole of a part, the corners of which are given by (xi,eta). */
+/* Applies footpoint_detail_tri6_sole to a part with the given corners (xi,eta). */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_sole_of(const footpoint_detail_tri6_anchor *z,
                                                                 double part[3][2], double promise)
 {
@@ -1968,17 +1926,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_sole_of(const footpoint_
     return footpoint_detail_tri6_sole(z, h, promise);
 }
 
-/* What has to be proved of the whole face: the promise itself, if FOOTPOINT_DETAIL_CLOSE does not suffice. */
-FOOTPOINT_PART double footpoint_detail_tri6_needed(const footpoint_detail_tri6_anchor *z,
-                                                   double promise)
-{
-    return promise < FOOTPOINT_DETAIL_CLOSE &&
-                   !(footpoint_detail_tri6_within(z, FOOTPOINT_DETAIL_CLOSE, promise) >> 63)
-               ? FOOTPOINT_DETAIL_CLOSE
-               : promise;
-}
-
-/* Whether (xi,eta) is inside. */
+/* Returns 1 if (xi,eta) is inside. */
 FOOTPOINT_PART int footpoint_detail_tri6_is_inside(const double at[2])
 {
     const double third = 1.0 - at[0] - at[1], low = footpoint_detail_least(at[0], at[1]);
@@ -1987,8 +1935,42 @@ FOOTPOINT_PART int footpoint_detail_tri6_is_inside(const double at[2])
     return !(footpoint_detail_bits(room - 1e-15) >> 63);
 }
 
-/* The highest bit of the result is not set if the closest point of the face is proved to lie within `promise` of (xi,eta), which is
- * inside. */
+/* Finds the nearest point of all edges that steps reach. */
+FOOTPOINT_PART void footpoint_detail_tri6_on_edges(const double *const *x, double at[2])
+{
+    double c[5][8], place[8], best = 0.0, along = 0.0, t, from[2], to[2];
+    int k, edge = 0;
+    for (k = 0; k < 3; k++)
+        (void)footpoint_detail_curve_begin(x[k], x[3 + k], x[(k + 1) % 3], x[6], k,
+                                           3, c, place);
+    footpoint_detail_curve_steps(3, c, place);
+    for (k = 0; k < 3; k++) {
+        const double dd = footpoint_detail_curve_end(x[k], x[3 + k], x[(k + 1) % 3],
+                                                     x[6], k, 3, place, &t);
+        if (k == 0 || dd < best) {
+            best = dd;
+            along = t;
+            edge = k;
+        }
+    }
+    footpoint_detail_triangle_corner(edge, from);
+    footpoint_detail_triangle_corner((edge + 1) % 3, to);
+    for (k = 0; k < 2; k++)
+        at[k] = along >= 1.0 ? to[k] : from[k] + (0.5 + 0.5 * along) * (to[k] - from[k]);
+}
+
+/* Returns the promise to prove for the whole face: the caller's, if 1e-9 does not suffice. */
+FOOTPOINT_PART double footpoint_detail_tri6_needed(const footpoint_detail_tri6_anchor *z,
+                                                   double promise)
+{
+    return promise < 1e-9 &&
+                   !(footpoint_detail_tri6_within(z, 1e-9, promise) >> 63)
+               ? 1e-9
+               : promise;
+}
+
+/* Proves (xi,eta), which is inside. The highest bit of the result is not set if the closest point of the face is proved
+ * to lie within `promise` of it. */
 FOOTPOINT_FN unsigned long long footpoint_detail_tri6_closest_at(const double *const *x, double promise,
                                                                  const double at[2])
 {
@@ -2004,8 +1986,8 @@ FOOTPOINT_FN unsigned long long footpoint_detail_tri6_closest_at(const double *c
            footpoint_detail_outside(z.far * z.far * (z.far * z.far));
 }
 
-/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED if that is not proved.  `bare` steps come
- * before the first that is tested. */
+/* The quick way: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED without a proof. `bare` steps
+ * precede the first tested step. */
 FOOTPOINT_FN int footpoint_detail_tri6_close(const double *const *x, double promise, int bare,
                                              double at[3], int *region)
 {
@@ -2040,7 +2022,7 @@ FOOTPOINT_FN int footpoint_detail_tri6_close(const double *const *x, double prom
         if (!(doubt >> 63))
             break;
     }
-    size = 4.0 * of.size * of.size;
+    size = footpoint_detail_tri6_extent(&of);
     longest = footpoint_detail_tri6_longest(x);
     at[2] = footpoint_detail_tri6_signed(x, &z, size, *region, &flat);
     beyond = footpoint_detail_above(z.dd, longest);
@@ -2050,7 +2032,7 @@ FOOTPOINT_FN int footpoint_detail_tri6_close(const double *const *x, double prom
            FOOTPOINT_ERR_DOMAIN * (int)((beyond & ~doubt) >> 63);
 }
 
-/* About where the quadratic is least in the polygon h: inside, or on an edge. */
+/* Finds roughly the least point of the quadratic in the polygon h: inside, or on an edge. */
 FOOTPOINT_COLD void footpoint_detail_tri6_lowest(const double f[2], const double m[3],
                                                  double h[3][2], double k[2])
 {
@@ -2082,15 +2064,15 @@ FOOTPOINT_COLD void footpoint_detail_tri6_lowest(const double f[2], const double
     }
 }
 
-/* A lower bound of the square of the distance over a part with the corners h, (s,t) from its middle z.  What the square gains from z on
- * is a mean of quadratics, of the matrices at corners.  Made convex, each lies above its tangent plane about where it is least, and that is
- * least at a corner.
+/* Returns a lower bound of the squared distance over a part with corners h, (s,t) from its middle z. The change of the
+ * squared distance from z is a mean of quadratics, with the matrices at corners. Each, made convex, lies above its
+ * tangent plane near its least point, and the plane is least at a corner.
  *
- * Rounding: coordinates of d are off by 26 u far, its square by 60 u far^2; M as in footpoint_detail_tri6_form_over. */
+ * Rounding: see footpoint_detail_tri6_slopes. */
 FOOTPOINT_COLD double footpoint_detail_tri6_least_of(const footpoint_detail_tri6_anchor *z,
                                                      double h[3][2])
 {
-    const double none[2] = {0.0, 0.0}, far2 = 1.12e-16 * (z->far * z->far), f[2] = {z->f, z->g};
+    const double none[2] = {0.0, 0.0}, f[2] = {z->f, z->g};
     double a = 0.0, b = 0.0, least = 0.0, mean[3] = {0.0, 0.0, 0.0}, k[2], slope[2];
     footpoint_detail_tri6_form form;
     int i, j;
@@ -2117,15 +2099,15 @@ FOOTPOINT_COLD double footpoint_detail_tri6_least_of(const footpoint_detail_tri6
         least = i ? footpoint_detail_least(least, here + down) : here + down;
     }
     return z->dd + least - 2.0 * (a * z->off_f + b * z->off_g) -
-           far2 * (200.0 + 8000.0 * (a * a + b * b));
+           (z->off_dd + 2.0 * z->off * (a * a + b * b));
 }
 
-/* Parts of the face by their corners, (xi,eta). */
+/* Parts of the face, by their corners (xi,eta). */
 typedef struct {
     double at[3][2];
 } footpoint_detail_tri6_piece;
 
-/* Halves a part, z being its middle, at the edge that is longest in space; of quadrilaterals at the opposite one, too. */
+/* Halves a part, with middle z, at the edge that is longest in space; quadrilaterals also at the opposite edge. */
 FOOTPOINT_COLD void footpoint_detail_tri6_halve(const footpoint_detail_tri6_anchor *z,
                                                 footpoint_detail_tri6_piece *one,
                                                 footpoint_detail_tri6_piece *other)
@@ -2154,7 +2136,7 @@ FOOTPOINT_COLD void footpoint_detail_tri6_halve(const footpoint_detail_tri6_anch
     }
 }
 
-/* The middle of a part. */
+/* Computes the middle of a part. */
 FOOTPOINT_COLD void footpoint_detail_tri6_middle_of(const footpoint_detail_tri6_piece *part,
                                                     double at[2])
 {
@@ -2164,8 +2146,8 @@ FOOTPOINT_COLD void footpoint_detail_tri6_middle_of(const footpoint_detail_tri6_
                              : (part->at[0][i] + part->at[1][i] + part->at[3 - 1][i]) / 3.0;
 }
 
-/* Whether a part has no point that is nearer than `most`, the square of a distance, about one of n anchors where the slope is as good
- * as 0. */
+/* Returns 1 if a part has no point nearer than `most`, a squared distance, near one of n anchors where the slope nearly
+ * vanishes. */
 FOOTPOINT_COLD int footpoint_detail_tri6_about(const footpoint_detail_tri6_anchor *z, int n,
                                                const footpoint_detail_tri6_piece *part, double most)
 {
@@ -2178,16 +2160,16 @@ FOOTPOINT_COLD int footpoint_detail_tri6_about(const footpoint_detail_tri6_ancho
         for (k = 0; k < 3; k++)
             footpoint_detail_tri6_way(&z[i], part->at[k], h[k]);
         footpoint_detail_tri6_form_over(&z[i], h, grow, &m);
-        fall = 2.02 * (m.high * f * f + m.wide * g * g) / m.det +
-               100.0 * 1.12e-16 * (z[i].far * z[i].far);
+        fall = 2.02 * (m.high * f * f + m.wide * g * g) / m.det + z[i].off_dd;
         if (m.det > 0.0 && m.low > 0.0 && z[i].dd - fall >= most)
             return 1;
     }
     return 0;
 }
 
-/* Whether no point of the face is nearer than z[0] but within `promise` of it; or, if slack > 0, none is nearer by more than that.
- * z[1], if n > 1, is another point that is as near.  start: a point that is nearer, or may be. */
+/* Returns the result of a proof that no point of the face is nearer than z[0], except within `promise` of it; or, if
+ * slack > 0, that no point is nearer by more than slack. z[1], if n > 1, is another point as near. start: a point that
+ * is, or may be, nearer. */
 FOOTPOINT_COLD int footpoint_detail_tri6_split(const footpoint_detail_tri6_terms *of,
                                                const footpoint_detail_tri6_anchor *z, int n,
                                                double promise, double slack, double start[2])
@@ -2221,7 +2203,7 @@ FOOTPOINT_COLD int footpoint_detail_tri6_split(const footpoint_detail_tri6_terms
             top--;
             continue;
         }
-        if (slack <= 0.0 && c.dd < z->dd - 200.0 * 1.12e-16 * (c.far * c.far))
+        if (slack <= 0.0 && c.dd < z->dd - c.off_dd)
             return FOOTPOINT_DETAIL_NEARER;
         if (parts >= FOOTPOINT_DETAIL_PARTS || width < 1e-4 || top >= FOOTPOINT_DETAIL_DEPTH)
             return FOOTPOINT_DETAIL_DOUBT;
@@ -2231,7 +2213,8 @@ FOOTPOINT_COLD int footpoint_detail_tri6_split(const footpoint_detail_tri6_terms
     return FOOTPOINT_DETAIL_FAR;
 }
 
-/* Newton's step of the coordinates that no edge holds; where that may lead uphill, that of Gauss and Newton. */
+/* Computes Newton's step in the coordinates that no edge holds, or the Gauss-Newton step if Newton's may lead
+ * uphill. */
 FOOTPOINT_COLD void footpoint_detail_tri6_free_step(const footpoint_detail_tri6_anchor *z,
                                                     const int held[2], double h[2])
 {
@@ -2248,7 +2231,8 @@ FOOTPOINT_COLD void footpoint_detail_tri6_free_step(const footpoint_detail_tri6_
     h[1] = held[1] ? 0.0 : held[0] ? g / h22 : (h11 * g - h12 * f) / det;
 }
 
-/* Where the way h, or as much of it as is in the face, leads from z: `to`; a coordinate within 1e-15 of an edge becomes the edge's. */
+/* Computes `to`, the end of the step h from z, or of the part of it in the face; a coordinate within 1e-15 of an
+ * edge becomes the edge's. */
 FOOTPOINT_COLD void footpoint_detail_tri6_along_way(const footpoint_detail_tri6_anchor *z,
                                                     const double h[2], double to[2])
 {
@@ -2276,7 +2260,7 @@ FOOTPOINT_COLD void footpoint_detail_tri6_along_way(const footpoint_detail_tri6_
     }
 }
 
-/* A step from z on the closed face: one that an edge stops at once is taken along that edge. */
+/* Takes a step from z on the closed face; if an edge stops it at once, along that edge. */
 FOOTPOINT_COLD void footpoint_detail_tri6_step_on(const footpoint_detail_tri6_anchor *z, double h[2])
 {
     int held[2], i;
@@ -2291,7 +2275,7 @@ FOOTPOINT_COLD void footpoint_detail_tri6_step_on(const footpoint_detail_tri6_an
         }
 }
 
-/* From *z downhill, until steps are no longer than rounding makes them. */
+/* Moves *z downhill until steps are within rounding. */
 FOOTPOINT_COLD void footpoint_detail_tri6_downhill(const footpoint_detail_tri6_terms *of,
                                                    footpoint_detail_tri6_anchor *z)
 {
@@ -2317,18 +2301,18 @@ FOOTPOINT_COLD void footpoint_detail_tri6_downhill(const footpoint_detail_tri6_t
     }
 }
 
-/* Whether z[1] is another point of space than z[0], and as near. */
+/* Returns 1 if z[1] is another point of space than z[0], and as near. */
 FOOTPOINT_COLD int footpoint_detail_tri6_is_tie(const footpoint_detail_tri6_anchor z[2],
                                                 double longest)
 {
     double e[3];
     footpoint_detail_from(z[0].r.d, z[1].r.d, e);
-    return footpoint_detail_dot(e, e) > 1e-12 * longest * longest &&
-           fabs(sqrt(z[1].dd) - sqrt(z[0].dd)) <= 1e-10 * longest;
+    return footpoint_detail_dot(e, e) > 1e-6 * 1e-6 * longest * longest &&
+           fabs(sqrt(z[1].dd) - sqrt(z[0].dd)) + z[0].off_d + z[1].off_d <= 1e-10 * longest;
 }
 
-/* The nearest point that descents find, as z[0]; its status.  A tie is proved, too: no point is nearer by more than 1e-10 of the
- * longest edge, and another, elsewhere in space, is not farther by more. */
+/* Finds the nearest point by descents, as z[0]; returns its status. A tie is proved, too: no point is nearer by more
+ * than 1e-10 of the longest edge, and another, elsewhere in space, is not farther by more. */
 FOOTPOINT_COLD int footpoint_detail_tri6_seek(const footpoint_detail_tri6_terms *of, double promise,
                                               double longest, footpoint_detail_tri6_anchor z[2])
 {
@@ -2346,52 +2330,24 @@ FOOTPOINT_COLD int footpoint_detail_tri6_seek(const footpoint_detail_tri6_terms 
             continue;
         }
         return footpoint_detail_tri6_is_tie(z, longest) && !(footpoint_detail_fast() >> 63) &&
-                       footpoint_detail_tri6_split(of, z, 2, promise, 1e-10 * longest, start) ==
-                           FOOTPOINT_DETAIL_FAR
+                       footpoint_detail_tri6_split(of, z, 2, promise,
+                                                   1e-10 * longest - z[0].off_d,
+                                                   start) == FOOTPOINT_DETAIL_FAR
                    ? FOOTPOINT_NOT_UNIQUE
                    : FOOTPOINT_UNPROVED;
     }
     return FOOTPOINT_UNPROVED;
 }
 
-/* A distance that no point of the face is nearer than, whatever the slave node: by the ball about the middle that all control points
- * lie in. */
-FOOTPOINT_COLD double footpoint_detail_tri6_none_within(const double *const *x)
-{
-    footpoint_detail_tri6_terms of;
-    double e[3], most = 0.0, middle;
-    int k, i;
-    footpoint_detail_tri6_expand(x, &of);
-    for (k = 0; k < 6; k++) {
-        const int side = k - 3, next = (side + 1) % 3;
-        const int between = side >= 0 && side < 3;
-        for (i = 0; i < 3; i++)
-            e[i] = (between ? 2.0 * x[k][i] - 0.5 * (x[side][i] + x[next][i]) : x[k][i]) -
-                   x[6][i] + of.d[i];
-        most = footpoint_detail_greater(most, footpoint_detail_dot(e, e));
-    }
-    if (3 == 4) { /* the control point in the middle, so that the face has r0 there */
-        for (i = 0; i < 3; i++) {
-            e[i] = 0.0;
-            for (k = 0; k < 2 * 3; k++)
-                e[i] += (k < 3 ? 0.25 : -1.0) * (x[k][i] - x[6][i] + of.d[i]);
-        }
-        most = footpoint_detail_greater(most, footpoint_detail_dot(e, e));
-    }
-    middle = footpoint_detail_length(of.d);
-    most = sqrt(most);
-    return footpoint_detail_greater(middle - most - 1e-13 * (middle + most), 0.0);
-}
-
-/* The answer where the quick way proves nothing, at = where that ended: once more in a unit of length in which the face is about 1 long,
- * if it is far from that, then by descents.  at[2]: the distance. */
+/* Answers after the quick way has proved nothing and ended in `at`: again in a unit of length in which the face is
+ * about 1 long, if it is far from that, then by descents. at[2]: the distance. */
 FOOTPOINT_COLD int footpoint_detail_tri6_proved_again(footpoint_detail_nearby *nearby,
                                                       const double *const *x, int scalable,
                                                       double promise, double at[3], int *region)
 {
     footpoint_detail_tri6_terms of;
     footpoint_detail_tri6_anchor z[2];
-    double y[7][3], longest;
+    double y[7][3], longest, least;
     unsigned long long flat;
     const double *row[7];
     int exponent = 0, i, status = footpoint_detail_scale(x, 6, 7, y, &exponent);
@@ -2402,8 +2358,8 @@ FOOTPOINT_COLD int footpoint_detail_tri6_proved_again(footpoint_detail_nearby *n
         row[i] = y[i];
     footpoint_detail_tri6_expand(row, &of);
     longest = sqrt(footpoint_detail_tri6_longest(row));
-    if (footpoint_detail_infinite(footpoint_detail_dot(of.d, of.d)) >> 63 ||
-        footpoint_detail_tri6_none_within(row) > longest)
+    least = footpoint_detail_tri6_none_within(row);
+    if (footpoint_detail_infinite(least) >> 63 || least > longest)
         return FOOTPOINT_ERR_DOMAIN;
     status = FOOTPOINT_UNPROVED;
     if (exponent > 32 || exponent < -32) {
@@ -2416,8 +2372,8 @@ FOOTPOINT_COLD int footpoint_detail_tri6_proved_again(footpoint_detail_nearby *n
         *region = footpoint_detail_tri6_region(z->at);
         at[0] = z->at[0];
         at[1] = z->at[1];
-        at[2] = footpoint_detail_signed_root(
-            footpoint_detail_tri6_signed(row, z, 4.0 * of.size * of.size, *region, &flat));
+        at[2] = footpoint_detail_signed_root(footpoint_detail_tri6_signed(
+            row, z, footpoint_detail_tri6_extent(&of), *region, &flat));
         if (flat >> 63)
             return FOOTPOINT_ERR_DEGENERATE;
         if (status != FOOTPOINT_UNPROVED && fabs(at[2]) > longest)
@@ -2427,7 +2383,7 @@ FOOTPOINT_COLD int footpoint_detail_tri6_proved_again(footpoint_detail_nearby *n
     return status;
 }
 
-/* A distance that no point of the face is nearer than, for an answer `at` of that status. */
+/* Returns a lower bound on the distance of the face, for an answer `at` of that status. */
 FOOTPOINT_COLD double footpoint_detail_tri6_none_nearer(const double *const *x, double promise,
                                                         int status, const double at[3])
 {
@@ -2593,20 +2549,22 @@ FOOTPOINT_PART int footpoint_detail_tri6_proved_closest_of(footpoint_detail_near
  * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
  *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
 
-/* NAME, NAME_checked_n and NAME_over_n answer FOOTPOINT_OK only if a minimum of the distance to the surface is proved to lie
- * within NAME_PROMISE, a macro, of (xi,eta), times |xi| or |eta| if that is greater than 1: whatever the segment, rounding
- * errors included, which no order of summation changes.  FOOTPOINT_UNPROVED: steps came to no proof, loc and gap are where
- * they ended; under -ffast-math nothing is proved.  A minimum on the whole surface need not be the nearest point of the
- * segment: see NAME_closest.  NAME_at and NAME_n prove nothing. */
+/* NAME, NAME_checked_n and NAME_over_n return FOOTPOINT_OK only if a minimum of the distance to the surface is proved
+ * to lie within the macro NAME_PROMISE of (xi,eta), times |xi| or |eta| if that is greater than 1: for any segment,
+ * rounding errors included, which no order of summation changes. FOOTPOINT_UNPROVED: the steps found no proof, and loc
+ * and gap are where they ended; under -ffast-math nothing is proved. A minimum on the whole surface need not be the
+ * nearest point of the segment: see NAME_closest. NAME_at and NAME_n prove nothing. Answers of NAME_checked_n and
+ * NAME_over_n may differ from those of NAME within NAME_PROMISE. */
 
-/* NAME_from:  NAME from the last answer: loc must be set, to {xi, eta} of the step before or of a neighbour's foot point.
- *           Fastest if the foot point has moved by less than 0.1.  Where steps from loc prove nothing, or lead farther
- *           than half of the segment, and where a number in loc is NaN or infinite, it calls NAME: callers without a last
- *           answer set NaN.  Statuses, outputs and proofs are those of NAME, though rounding differs.  On a folded segment,
- *           where several minima lie close together, the answer is the minimum that steps from loc lead to; it need not be
- *           the one that NAME finds, nor the nearest.
- * NAME_from_n:  the same for n pairs, with last answers in xi and eta, which the new ones overwrite unless the status is < 0.
- * NAME_from_over_n:  the same for n slave nodes over one segment, as NAME_over_n. */
+/* NAME_from:  does the same as NAME, from the last answer: loc must be set to {xi, eta} of the last step or of a neighbour's
+ *           foot point. It is fastest if the foot point has moved by less than 0.1. If steps from loc prove nothing, or
+ *           lead farther than half of the segment, or if a number in loc is NaN or infinite, it calls NAME; callers
+ *           without a last answer set NaN. Statuses, outputs and proofs are those of NAME, though rounding differs. On
+ *           a folded segment with several close minima, the answer is the minimum to which steps from loc lead; it need
+ *           not be NAME's, nor the nearest.
+ * NAME_from_n:  does the same for n pairs, with last answers in xi and eta, which the new answers replace unless the
+ *           status is < 0.
+ * NAME_from_over_n:  does the same for n slave nodes over one segment, like NAME_over_n. */
 
 /* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist, the
  *           distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, the part that contains r: 0 inside, 1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C.
@@ -3033,7 +2991,7 @@ FOOTPOINT_LOOP void footpoint_tri6_fast_over_n(const double *const nodes[6], siz
                                  gap, status);
 }
 
-/* See footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_fast_from keeps nothing for it. */
+/* Calls footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_fast_from reserves nothing for it. */
 FOOTPOINT_COLD int footpoint_tri6_fast_detail_further(const double xA[3], const double xB[3], const double xC[3],
                                                       const double xD[3], const double xE[3], const double xF[3],
                                                       const double xS[3], double xi, double eta, double loc[2],
@@ -3061,7 +3019,7 @@ FOOTPOINT_LOOP void footpoint_tri6_fast_from_n(size_t n, const double *const x[2
                                                double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_n(footpoint_tri6_fast, n, x, FOOTPOINT_TRI6_FAST_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_fast, 0, NULL, n, x, FOOTPOINT_TRI6_FAST_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_fast_from_over_n(const double *const nodes[6], size_t n,
@@ -3069,7 +3027,7 @@ FOOTPOINT_LOOP void footpoint_tri6_fast_from_over_n(const double *const nodes[6]
                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_over_n(footpoint_tri6_fast, nodes, n, x, FOOTPOINT_TRI6_FAST_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_fast, 1, nodes, n, x, FOOTPOINT_TRI6_FAST_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_tri6_fast_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
@@ -3178,7 +3136,7 @@ FOOTPOINT_LOOP void footpoint_tri6_coarse_over_n(const double *const nodes[6], s
                                  gap, status);
 }
 
-/* See footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_coarse_from keeps nothing for it. */
+/* Calls footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_coarse_from reserves nothing for it. */
 FOOTPOINT_COLD int footpoint_tri6_coarse_detail_further(const double xA[3], const double xB[3], const double xC[3],
                                                         const double xD[3], const double xE[3], const double xF[3],
                                                         const double xS[3], double xi, double eta, double loc[2],
@@ -3206,7 +3164,7 @@ FOOTPOINT_LOOP void footpoint_tri6_coarse_from_n(size_t n, const double *const x
                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_n(footpoint_tri6_coarse, n, x, FOOTPOINT_TRI6_COARSE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_coarse, 0, NULL, n, x, FOOTPOINT_TRI6_COARSE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_coarse_from_over_n(const double *const nodes[6], size_t n,
@@ -3214,7 +3172,7 @@ FOOTPOINT_LOOP void footpoint_tri6_coarse_from_over_n(const double *const nodes[
                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_over_n(footpoint_tri6_coarse, nodes, n, x, FOOTPOINT_TRI6_COARSE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_coarse, 1, nodes, n, x, FOOTPOINT_TRI6_COARSE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_tri6_coarse_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
@@ -3324,7 +3282,7 @@ FOOTPOINT_LOOP void footpoint_tri6_medium_over_n(const double *const nodes[6], s
                                  gap, status);
 }
 
-/* See footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_medium_from keeps nothing for it. */
+/* Calls footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_medium_from reserves nothing for it. */
 FOOTPOINT_COLD int footpoint_tri6_medium_detail_further(const double xA[3], const double xB[3], const double xC[3],
                                                         const double xD[3], const double xE[3], const double xF[3],
                                                         const double xS[3], double xi, double eta, double loc[2],
@@ -3352,7 +3310,7 @@ FOOTPOINT_LOOP void footpoint_tri6_medium_from_n(size_t n, const double *const x
                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_n(footpoint_tri6_medium, n, x, FOOTPOINT_TRI6_MEDIUM_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_medium, 0, NULL, n, x, FOOTPOINT_TRI6_MEDIUM_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_medium_from_over_n(const double *const nodes[6], size_t n,
@@ -3360,7 +3318,7 @@ FOOTPOINT_LOOP void footpoint_tri6_medium_from_over_n(const double *const nodes[
                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_over_n(footpoint_tri6_medium, nodes, n, x, FOOTPOINT_TRI6_MEDIUM_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_medium, 1, nodes, n, x, FOOTPOINT_TRI6_MEDIUM_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_tri6_medium_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
@@ -3471,7 +3429,7 @@ FOOTPOINT_LOOP void footpoint_tri6_balanced_over_n(const double *const nodes[6],
                                  gap, status);
 }
 
-/* See footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_balanced_from keeps nothing for it. */
+/* Calls footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_balanced_from reserves nothing for it. */
 FOOTPOINT_COLD int footpoint_tri6_balanced_detail_further(const double xA[3], const double xB[3], const double xC[3],
                                                           const double xD[3], const double xE[3], const double xF[3],
                                                           const double xS[3], double xi, double eta, double loc[2],
@@ -3499,7 +3457,7 @@ FOOTPOINT_LOOP void footpoint_tri6_balanced_from_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_n(footpoint_tri6_balanced, n, x, FOOTPOINT_TRI6_BALANCED_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_balanced, 0, NULL, n, x, FOOTPOINT_TRI6_BALANCED_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_balanced_from_over_n(const double *const nodes[6], size_t n,
@@ -3508,7 +3466,7 @@ FOOTPOINT_LOOP void footpoint_tri6_balanced_from_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_over_n(footpoint_tri6_balanced, nodes, n, x, FOOTPOINT_TRI6_BALANCED_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_balanced, 1, nodes, n, x, FOOTPOINT_TRI6_BALANCED_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_tri6_balanced_detail_nearby(const double *const *x, int lanes, double zero,
@@ -3622,7 +3580,7 @@ FOOTPOINT_LOOP void footpoint_tri6_fine_over_n(const double *const nodes[6], siz
                                  gap, status);
 }
 
-/* See footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_fine_from keeps nothing for it. */
+/* Calls footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_fine_from reserves nothing for it. */
 FOOTPOINT_COLD int footpoint_tri6_fine_detail_further(const double xA[3], const double xB[3], const double xC[3],
                                                       const double xD[3], const double xE[3], const double xF[3],
                                                       const double xS[3], double xi, double eta, double loc[2],
@@ -3650,7 +3608,7 @@ FOOTPOINT_LOOP void footpoint_tri6_fine_from_n(size_t n, const double *const x[2
                                                double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_n(footpoint_tri6_fine, n, x, FOOTPOINT_TRI6_FINE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_fine, 0, NULL, n, x, FOOTPOINT_TRI6_FINE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_fine_from_over_n(const double *const nodes[6], size_t n,
@@ -3658,7 +3616,7 @@ FOOTPOINT_LOOP void footpoint_tri6_fine_from_over_n(const double *const nodes[6]
                                                     double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_over_n(footpoint_tri6_fine, nodes, n, x, FOOTPOINT_TRI6_FINE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_fine, 1, nodes, n, x, FOOTPOINT_TRI6_FINE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_tri6_fine_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
@@ -3771,7 +3729,7 @@ FOOTPOINT_LOOP void footpoint_tri6_precise_over_n(const double *const nodes[6], 
                                  gap, status);
 }
 
-/* See footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_precise_from keeps nothing for it. */
+/* Calls footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_precise_from reserves nothing for it. */
 FOOTPOINT_COLD int footpoint_tri6_precise_detail_further(const double xA[3], const double xB[3], const double xC[3],
                                                          const double xD[3], const double xE[3], const double xF[3],
                                                          const double xS[3], double xi, double eta, double loc[2],
@@ -3799,7 +3757,7 @@ FOOTPOINT_LOOP void footpoint_tri6_precise_from_n(size_t n, const double *const 
                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_n(footpoint_tri6_precise, n, x, FOOTPOINT_TRI6_PRECISE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_precise, 0, NULL, n, x, FOOTPOINT_TRI6_PRECISE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_precise_from_over_n(const double *const nodes[6], size_t n,
@@ -3808,7 +3766,7 @@ FOOTPOINT_LOOP void footpoint_tri6_precise_from_over_n(const double *const nodes
                                                        double *FOOTPOINT_RESTRICT gap,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_over_n(footpoint_tri6_precise, nodes, n, x, FOOTPOINT_TRI6_PRECISE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_precise, 1, nodes, n, x, FOOTPOINT_TRI6_PRECISE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_tri6_precise_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
@@ -3924,7 +3882,7 @@ FOOTPOINT_LOOP void footpoint_tri6_accurate_over_n(const double *const nodes[6],
                                  gap, status);
 }
 
-/* See footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_accurate_from keeps nothing for it. */
+/* Calls footpoint_detail_tri6_further(); not inlined, so that footpoint_tri6_accurate_from reserves nothing for it. */
 FOOTPOINT_COLD int footpoint_tri6_accurate_detail_further(const double xA[3], const double xB[3], const double xC[3],
                                                           const double xD[3], const double xE[3], const double xF[3],
                                                           const double xS[3], double xi, double eta, double loc[2],
@@ -3952,7 +3910,7 @@ FOOTPOINT_LOOP void footpoint_tri6_accurate_from_n(size_t n, const double *const
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_n(footpoint_tri6_accurate, n, x, FOOTPOINT_TRI6_ACCURATE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_accurate, 0, NULL, n, x, FOOTPOINT_TRI6_ACCURATE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_accurate_from_over_n(const double *const nodes[6], size_t n,
@@ -3961,7 +3919,7 @@ FOOTPOINT_LOOP void footpoint_tri6_accurate_from_over_n(const double *const node
                                                         double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_tri6_from_over_n(footpoint_tri6_accurate, nodes, n, x, FOOTPOINT_TRI6_ACCURATE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
+    footpoint_detail_tri6_from_n(footpoint_tri6_accurate, 1, nodes, n, x, FOOTPOINT_TRI6_ACCURATE_PROMISE, FOOTPOINT_TRI6_LEAST, xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_tri6_accurate_detail_nearby(const double *const *x, int lanes, double zero,
@@ -4017,32 +3975,32 @@ FOOTPOINT_FN int footpoint_tri6_accurate_closest_of(size_t n, const double *cons
 /* The largest error of xi and eta behind FOOTPOINT_OK. */
 #define FOOTPOINT_ALONG_PROMISE 1e-9
 
-/* The larger one without a branch, which would keep loops from being vectorised. */
+/* Returns the larger number without a branch, which would keep loops from being vectorised. */
 FOOTPOINT_PART double footpoint_detail_larger(double a, double b)
 {
     return 0.5 * (a + b + fabs(a - b));
 }
 
-/* How far |x| is above 1, and 0 below. */
+/* Returns the excess of |x| over 1, and 0 below. */
 FOOTPOINT_PART double footpoint_detail_excess(double x)
 {
     const double more = fabs(x) - 1.0;
     return 0.5 * (more + fabs(more));
 }
 
-/* Half of the last digit of 1. */
+/* Returns half of the last digit of 1. */
 FOOTPOINT_PART double footpoint_detail_unit(void)
 {
     return 1.0 / (double)((unsigned long long)1 << 53);
 }
 
-/* The sum of the absolute values. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART double footpoint_detail_manhattan(const double a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-/* The status of a proved point on the face: proofs do not hold where compilers may order sums as they like. */
+/* Returns the status of a proved point on the face: proofs do not hold if compilers may reorder sums. */
 FOOTPOINT_PART int footpoint_detail_met(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -4052,7 +4010,7 @@ FOOTPOINT_PART int footpoint_detail_met(void)
 #endif
 }
 
-/* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
+/* Scales the direction to a length of about 1. Returns FOOTPOINT_ERR_DEGENERATE if it has no length. */
 FOOTPOINT_FN int footpoint_detail_along_scale(const double along[3], double p[3])
 {
     double most = 0.0;
@@ -4072,7 +4030,7 @@ FOOTPOINT_FN int footpoint_detail_along_scale(const double along[3], double p[3]
 
 #ifndef FOOTPOINT_DETAIL_DOMAINS
 #define FOOTPOINT_DETAIL_DOMAINS
-/* How far (xi,eta) lies beyond the edges: <= 0 inside. */
+/* Returns the distance of (xi,eta) beyond the edges: <= 0 inside. */
 FOOTPOINT_PART double footpoint_detail_square_beyond(double xi, double eta)
 {
     const double u = fabs(xi), v = fabs(eta);
@@ -4085,7 +4043,7 @@ FOOTPOINT_PART double footpoint_detail_triangle_beyond(double xi, double eta)
     return -least > over ? -least : over;
 }
 
-/* Point k to start from: the middle, and towards the corners. */
+/* Computes starting point k: the middle, then points towards the corners. */
 FOOTPOINT_FN void footpoint_detail_square_start(int k, double at[3])
 {
     at[0] = k == 0 ? 0.0 : k == 1 || k == 4 ? -0.75 : 0.75;
@@ -4116,7 +4074,8 @@ FOOTPOINT_PART void footpoint_detail_tri6_powers(const double *const *x, int i, 
     c[0] = x[6][i] - a - third * (c[1] + c[2] - third * (c[3] + c[4] + c[5]));
 }
 
-/* What u^2, u v, v^2 and higher powers add, of coefficients k as footpoint_detail_tri6_powers() has them, and its slopes. */
+/* Returns the part of u^2, u v, v^2 and higher powers, for coefficients k of footpoint_detail_tri6_powers(), and its
+ * slopes. */
 FOOTPOINT_PART double footpoint_detail_tri6_bend(const double k[9], double u, double v, double slope[2])
 {
     double square = k[3], mixed = k[4], more = 0.0, bend;
@@ -4132,8 +4091,8 @@ FOOTPOINT_PART double footpoint_detail_tri6_bend(const double k[9], double u, do
     return u * bend + v * (v * k[5]);
 }
 
-/* Bounds of the slopes of footpoint_detail_tri6_bend where |u|, |v| <= wide, no less than reach; |k[3] + k[8] v^2| is
- * largest where v is 0 or wide.  Returns a bound of |u + bend| where |u|, |v| <= reach. */
+/* Bounds the slopes of footpoint_detail_tri6_bend for |u|, |v| <= wide, which is at least reach; |k[3] + k[8] v^2| is
+ * largest at v = 0 or wide. Returns a bound of |u + bend| for |u|, |v| <= reach. */
 FOOTPOINT_PART double footpoint_detail_tri6_bounds(const double k[9], double reach, double wide,
                                                    double slope[2])
 {
@@ -4155,10 +4114,10 @@ FOOTPOINT_PART double footpoint_detail_tri6_bounds(const double k[9], double rea
     return 1.001 * (reach + reach * reach * all);
 }
 
-/* A bound of all rounding errors of a scalar product of the surface with a vector m = b x p where |u|, |v| <= 1, over |b| |p|, sums
- * of absolute values: differences of nodes are off by a unit, coefficients by 110 of all sizes at most, together by 300; m, its
- * products and the power series, moved to a part of the face, and the step that begins at rounded u and v count 170 more.  Of c[0],
- * which holds xS, it is 20. */
+/* Returns a bound of all rounding errors of a scalar product of the surface with a vector m = b x p for |u|, |v| <= 1,
+ * over |b| |p|, for sums of absolute values. Differences of nodes are off by a unit, coefficients by at most 110 of all
+ * sizes, together by 300. m, its products and the power series, moved to a part of the face, and the step that begins
+ * at rounded u and v count 170 more. For c[0], which contains xS, it is 20. */
 FOOTPOINT_PART double footpoint_detail_tri6_rounding(double c[3][9])
 {
     double away = 0.0, size = 0.0;
@@ -4173,12 +4132,14 @@ FOOTPOINT_PART double footpoint_detail_tri6_rounding(double c[3][9])
     return footpoint_detail_unit() * (20.0 * away + 500.0 * size);
 }
 
-/* A bound of how far a point lies from where a step of Newton ends, in maximum norms; above `most` if none is proved.  inverse: the norm
- * of the inverse of the slopes where it begins; off, bends: bounds of rounding errors of the equations and of bends' slopes.
+/* Returns a bound of the distance of a point from the end of a Newton step, in maximum norms; above `most` if no point
+ * is proved. inverse: the norm of the inverse of the slopes at its start; off, bends: bounds of rounding errors of the
+ * equations and of the bends' slopes.
  *
- * Second derivatives are 5 bends in all, see below, and errors of slopes are part of bends.  By Kantorovich, if h = 5 bends inverse
- * (step + 2 error) <= 1/4, with error = inverse off, then a point lies within 0.7 h step + 1.2 error: bounds hold that far if the step
- * is 5e-4 at most.  It is solved to 16 units of itself times inverse and the slopes, 2 + bends. */
+ * Second derivatives are at most 5 bends in all, see below, and errors of slopes are part of bends. By Kantorovich, if
+ * h = 5 bends inverse (step + 2 error) <= 1/4, with error = inverse off, then a point lies within 0.7 h step + 1.2
+ * error: the bounds hold that far if the step is at most 5e-4. The linear equations are solved to 16 units of the step
+ * times inverse and the slopes, 2 + bends. */
 FOOTPOINT_PART double footpoint_detail_tri6_near(double step, double inverse, double off, double bends,
                                                  double most)
 {
@@ -4188,20 +4149,22 @@ FOOTPOINT_PART double footpoint_detail_tri6_near(double step, double inverse, do
     return footpoint_detail_larger(near, (4.2 * h + 2000.0 * step) * most);
 }
 
-/* The point at = {u, v} where u + bend = k[0] and v + bend = l[0].  Bends as they are without bends, then a few of Newton's
- * steps.  off: bounds of the rounding errors of both equations where |u|, |v| <= 1.  The highest bit of what it returns is set unless
- * a point is proved to lie within `most` of `at`, and no other one where |u|, |v| <= reach; that of *hit unless it is proved that no
- * point lies there at all.  at[2] <= most: it is proved that a point lies within at[2] of `at`, and nothing of others.
+/* Finds the point at = {u, v} with u + bend = k[0] and v + bend = l[0]: the solution without bends, then a few Newton
+ * steps. off: bounds of the rounding errors of both equations for |u|, |v| <= 1. The highest bit of the result is set
+ * unless a point is proved to lie within `most` of `at`, and no other point with |u|, |v| <= reach. The highest bit of
+ * *hit is set unless it is proved that no point at all lies there. If at[2] <= most, a point is proved to lie within
+ * at[2] of `at`; other points may exist.
  *
- * Let bounds of the slopes of u's bend be A, B, of v's C, D where |u|, |v| <= wide.  Then u, v -> k[0] - bend, l[0] - bend is a
- * contraction there if A, D < 1 and (1 - A) (1 - D) > B C, in a norm of its own: there is one point at most, and one lies within
- * ((1 - D) r + B s, (1 - A) s + C r) / ((1 - A) (1 - D) - B C) of any place where the equations are off by r and s.  A step of
- * Newton leaves half of its square times second derivatives, which are 5 (A + B) / wide at most.  It is solved to 1e5 units of
- * itself, as the determinant is above 0.01; less than a unit and 4e8 units of its square.  Errors of coefficients change
- * slopes by twice what they change values by, and either grows by the fourth power of wide.
+ * Let bounds of the slopes of u's bend be A, B, of v's C, D for |u|, |v| <= wide. Then u, v -> k[0] - bend, l[0] - bend
+ * is a contraction there if A, D < 1 and (1 - A) (1 - D) > B C, in its own norm. So there is at most one point, and a
+ * point lies within ((1 - D) r + B s, (1 - A) s + C r) / ((1 - A) (1 - D) - B C) of any place at which the equations
+ * are off by r and s. A Newton step leaves half of its square times second derivatives, which are at most 5 (A + B) /
+ * wide. The linear equations are solved to 1e5 units of the step, as the determinant is above 0.01; less than a unit
+ * and 4e8 units of its square. Errors of coefficients change slopes by twice as much as values, and both grow by the
+ * fourth power of wide.
  *
- * By Kantorovich, a point lies within 0.7 h `step` of where the last step ends if h <= 1/4, h being the step, times the norm of the
- * inverse of the slopes where it begins, `most` at first, times the second derivatives. */
+ * By Kantorovich, a point lies within 0.7 h `step` of the end of the last step if h <= 1/4, where h is the step, `most`
+ * at first, times the norm of the inverse of the slopes at its start, times the second derivatives. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_meet(const double k[9], const double l[9],
                                                              const double off[2], double reach, double most,
                                                              double at[3], unsigned long long *hit)
@@ -4254,10 +4217,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_meet(const double k[9], 
            footpoint_detail_above(moved, 4e-6);
 }
 
-/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  c2 x p and p x c1 are at right angles to p;
- * along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend = l[0].  The highest bit of
- * what it returns is set where that is not proved; and where the point is so far away that bends, fourth powers, make any step
- * short.  The distance may be infinite. */
+/* Finds at = {xi, eta, distance times |p|}, with status FOOTPOINT_OK or FOOTPOINT_OUTSIDE. c2 x p and p x c1 are at
+ * right angles to p; along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend =
+ * l[0]. The highest bit of the result is set if that is not proved, or if the point is so far away that bends, fourth
+ * powers, make any step short. The distance may be infinite. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_along(const double *const *x, const double p[3],
                                                               double at[3], int *status)
 {
@@ -4305,14 +4268,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_along(const double *cons
            footpoint_detail_above(w[0] * w[0] + w[1] * w[1], 1e4);
 }
 
-/* The polynomials, with a bound of their rounding errors on the face, and n points {u, v, 0} that they lead to, of faces all of whose
- * points are told eight at most; {u, v, 1}: no point is proved to lie within the promise. */
+/* The polynomials, with a bound of their rounding errors on the face, and the n points {u, v, 0} found; at most eight
+ * if all points of the face are proved. {u, v, 1}: no point is proved to lie within the promise. */
 typedef struct {
     double q[2][9], off, found[9][3];
     int n;
 } footpoint_detail_tri6_view;
 
-/* c about (u, v) with `half` for a unit. */
+/* Expands c about (u, v), with `half` as the unit. */
 FOOTPOINT_FN void footpoint_detail_tri6_moved(const double c[9], double u, double v, double half,
                                               double part[9])
 {
@@ -4330,8 +4293,8 @@ FOOTPOINT_FN void footpoint_detail_tri6_moved(const double c[9], double u, doubl
     part[8] = half * cube * top;
 }
 
-/* 1 if the control points of both polynomials lie on one side of a line through 0, farther from it than rounding takes them: `right`
- * and `left` enclose them. */
+/* Returns 1 if the control points of both polynomials lie on one side of a line through 0, farther from it than
+ * rounding reaches: `right` and `left` enclose them. */
 FOOTPOINT_FN int footpoint_detail_tri6_misses(double q[2][9], double off)
 {
     double right[2], left[2], z[9][2], most, least;
@@ -4369,7 +4332,8 @@ FOOTPOINT_FN int footpoint_detail_tri6_misses(double q[2][9], double off)
     return 1;
 }
 
-/* 0: no point is proved to be in the part, 1: one, within `most` times half of at = {u, v}, 2: that is not known. */
+/* Returns 0 if the part is proved to contain no point, 1 for one point, within `most` times half of at = {u, v}, 2 if
+ * neither is proved. */
 FOOTPOINT_COLD int footpoint_detail_tri6_line_about(footpoint_detail_tri6_view *s, double u, double v,
                                                     double half, double most, double at[2])
 {
@@ -4402,9 +4366,9 @@ FOOTPOINT_COLD int footpoint_detail_tri6_line_about(footpoint_detail_tri6_view *
     return fabs(w[0]) < 1.01 && fabs(w[1]) < 1.01;
 }
 
-/* 1 if the part is proved to hold no point, or one, which joins those that are found if it is none of these.  It is found once more
- * in a sixteenth of the part about it.  Where it is known to half of the promise, points within twice that are the same, as parts
- * reach farther into each other. */
+/* Returns 1 if the part is proved to contain no point or one point, which is added to the points found unless it is one
+ * of them. It is found again in a sixteenth of the part about it. If it is known to half of the promise, points within
+ * twice that are the same, because parts overlap by more. */
 FOOTPOINT_FN int footpoint_detail_tri6_part(footpoint_detail_tri6_view *s, double u, double v,
                                             double half)
 {
@@ -4428,8 +4392,8 @@ FOOTPOINT_FN int footpoint_detail_tri6_part(footpoint_detail_tri6_view *s, doubl
     return 1;
 }
 
-/* All points in the face or at its edges; the last found is not proved if thousands of parts do not tell, as where the line touches
- * the surface.  Parts are numbered i, j on their level. */
+/* Finds all points in the face or at its edges. The last point is unproved if thousands of parts do not suffice, for
+ * example if the line touches the surface. Parts are numbered i, j on their level. */
 FOOTPOINT_FN void footpoint_detail_tri6_meets(footpoint_detail_tri6_view *s)
 {
     const double low = 6 > 6 ? -1.0 : -1.0 / 3.0;
@@ -4462,8 +4426,9 @@ FOOTPOINT_FN void footpoint_detail_tri6_meets(footpoint_detail_tri6_view *s)
     s->found[s->n++][2] = 1.0;
 }
 
-/* One step of (xi,eta) = at to where xS - r is a multiple of p; at[2] becomes their distance, to second order in the step,
- * whose square is *moved.  The highest bit of what it returns is set if p is in the plane of the tangents. */
+/* Takes one step of (xi,eta) = at to the point at which xS - r is a multiple of p; at[2] becomes their distance, to
+ * second order in the step, whose square is *moved. The highest bit of the result is set if p lies in the plane of the
+ * tangents. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_along_step(const double *const *x, const double p[3],
                                                                    double most, double at[3], double *moved)
 {
@@ -4485,9 +4450,9 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_along_step(const double 
            footpoint_detail_bits(across * across - 100.0 * 1e-20 * size);
 }
 
-/* 1 if rounding errors may hide that p is in the plane of the tangents at 16 places: then it is everywhere, as the volume that the
- * three span is of degree 3 in xi and in eta.  Tangents are sums of differences of nodes, times 8 at most, to 16 units, and products
- * to 7 more. */
+/* Returns 1 if rounding errors may hide that p lies in the plane of the tangents at 16 places. Then it does everywhere,
+ * as the volume that the three span has degree 3 in xi and in eta. Tangents are sums of differences of nodes, times at
+ * most 8, to 16 units, and products to 7 more. */
 FOOTPOINT_FN int footpoint_detail_tri6_edge_on(const double *const *x, const double p[3])
 {
     const double low = 6 > 6 ? -1.0 : 0.0, third = (1.0 - low) / 3.0;
@@ -4508,8 +4473,8 @@ FOOTPOINT_FN int footpoint_detail_tri6_edge_on(const double *const *x, const dou
     return 1;
 }
 
-/* The face as two polynomials, along two directions at right angles to p and each other, a product of p's length or its square.  1 if
- * one of them is not 0 anywhere on the face. */
+/* Computes the face as two polynomials, along two directions at right angles to p and to each other, with lengths of p
+ * or its square. Returns 1 if one of them is nowhere 0 on the face. */
 FOOTPOINT_FN int footpoint_detail_tri6_seen(const double *const *x, const double p[3],
                                             footpoint_detail_tri6_view *s)
 {
@@ -4538,8 +4503,8 @@ FOOTPOINT_FN int footpoint_detail_tri6_seen(const double *const *x, const double
     return beside;
 }
 
-/* Up to 50 short steps from `at` to where the line meets the surface.  The highest bit of what it returns is set if they come to no
- * end. */
+/* Takes up to 50 short steps from `at` to the point at which the line meets the surface. The highest bit of the result
+ * is set if they do not converge. */
 FOOTPOINT_FN unsigned long long footpoint_detail_tri6_walk(const double *const *x, const double p[3], double at[3])
 {
     double moved = 1.0;
@@ -4551,7 +4516,7 @@ FOOTPOINT_FN unsigned long long footpoint_detail_tri6_walk(const double *const *
            footpoint_detail_infinite(at[0] + at[1] + at[2]);
 }
 
-/* at[2] becomes the distance at (xi,eta) = at. */
+/* Sets at[2] to the distance at (xi,eta) = at. */
 FOOTPOINT_FN void footpoint_detail_tri6_ahead(const double *const *x, const double p[3], double at[3])
 {
     double u[3], v[3], d[3];
@@ -4559,9 +4524,9 @@ FOOTPOINT_FN void footpoint_detail_tri6_ahead(const double *const *x, const doub
     at[2] = footpoint_detail_dot(p, d) / sqrt(footpoint_detail_dot(p, p));
 }
 
-/* 1 if a point of the surface is proved to lie within the promise, times |at| where that is above 1, of `at`, which moves to where the
- * proof has it: as in parts of the face, smaller ones if a larger one does not tell.  Rounding errors grow as the highest powers of
- * u and v. */
+/* Returns 1 if a point of the surface is proved to lie within the promise, times |at| if that is above 1, of `at`,
+ * which moves to the proved place: as in parts of the face, in smaller parts if a larger part fails. Rounding errors
+ * grow as the highest powers of u and v. */
 FOOTPOINT_COLD int footpoint_detail_tri6_beyond(const footpoint_detail_tri6_view *s, double at[3])
 {
     footpoint_detail_tri6_view far = *s;
@@ -4583,7 +4548,8 @@ FOOTPOINT_COLD int footpoint_detail_tri6_beyond(const footpoint_detail_tri6_view
     return 0;
 }
 
-/* Where the line meets the surface beyond the edges: of steps from five places, the first that lead to a point that is proved. */
+/* Finds a point at which the line meets the surface beyond the edges: the first of the steps from five places that lead
+ * to a proved point. */
 FOOTPOINT_FN int footpoint_detail_tri6_beside(const double *const *x, const double p[3],
                                               const footpoint_detail_tri6_view *s, double at[3])
 {
@@ -4600,7 +4566,8 @@ FOOTPOINT_FN int footpoint_detail_tri6_beside(const double *const *x, const doub
     return FOOTPOINT_ERR_DOMAIN;
 }
 
-/* (xi,eta) and the distance of a point that is found; beyond the edges or without a proof, where steps lead from there if they do. */
+/* Computes (xi,eta) and the distance of a found point. Beyond the edges, or without a proof, it takes steps from there
+ * and uses their end if they converge. */
 FOOTPOINT_FN void footpoint_detail_tri6_place(const double *const *x, const double p[3],
                                               const double found[3], double at[3])
 {
@@ -4621,8 +4588,8 @@ FOOTPOINT_FN void footpoint_detail_tri6_place(const double *const *x, const doub
     footpoint_detail_tri6_ahead(x, p, at);
 }
 
-/* Of the points in the face the nearest one; of none the one less far outside.  Points near an edge may be on either side: one of
- * several is no answer then. */
+/* Returns the nearest point in the face, or otherwise the point least far outside. Points near an edge may be on either
+ * side; if there are several, they are no answer. */
 FOOTPOINT_COLD int footpoint_detail_tri6_along_full(const double *const *x, const double p[3],
                                                     double at[3])
 {
@@ -4655,8 +4622,8 @@ FOOTPOINT_COLD int footpoint_detail_tri6_along_full(const double *const *x, cons
     return maybe > 1 ? FOOTPOINT_NOT_UNIQUE : inside ? footpoint_detail_met() : FOOTPOINT_OUTSIDE;
 }
 
-/* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
- * out of range of numbers there is FOOTPOINT_ERR_DOMAIN. */
+/* Searches in full, in units of length in which the segment and the direction are about 1 long. Returns
+ * FOOTPOINT_ERR_DOMAIN if a slave node or a distance overflows there. */
 FOOTPOINT_COLD int footpoint_detail_tri6_along_again(const double *const *x, const double along[3],
                                                      double loc[2], double *dist)
 {
@@ -4686,19 +4653,19 @@ FOOTPOINT_COLD int footpoint_detail_tri6_along_again(const double *const *x, con
 }
 #endif
 
-/* footpoint_tri6_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
- *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  A point where the line meets the surface is proved to lie within FOOTPOINT_ALONG_PROMISE of
- *           loc, farther outside than 1 within that times |xi| or |eta|, rounding errors included; dist is that of r(loc).
- *           FOOTPOINT_OK: it meets the segment nowhere else; FOOTPOINT_NOT_UNIQUE: it meets the segment more than once, and the
- *           answer is the nearest of these points, to their errors; FOOTPOINT_OUTSIDE: it passes by the segment, and
- *           meets the surface there beyond the edges, which count for as thick as FOOTPOINT_ALONG_PROMISE.
- *           FOOTPOINT_UNPROVED: any of these or none, as where it nearly touches the segment.  loc and dist are untouched where it
- *           returns FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the
- *           edges is proved;
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, as far as rounding
- *           errors tell; and FOOTPOINT_ERR_NOT_FINITE.
- * footpoint_tri6_along_n:  the same for n pairs, each with its status and its direction, three columns. */
+/* footpoint_tri6_along:  finds the point at which the line through xS in the direction `along`, of any length but 0, meets the
+ *           segment: loc = {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along
+ *           the segment's normal dist is the gap. A point at which the line meets the surface is proved to lie within
+ *           FOOTPOINT_ALONG_PROMISE of loc, times |xi| or |eta| if these are above 1, rounding errors included; dist belongs to
+ *           r(loc). FOOTPOINT_OK: the line meets the segment nowhere else. FOOTPOINT_NOT_UNIQUE: it meets the segment
+ *           more than once, and the answer is the nearest of these points, to their errors. FOOTPOINT_OUTSIDE: it does
+ *           not meet the segment, but the surface beyond the edges, which count as FOOTPOINT_ALONG_PROMISE thick.
+ *           FOOTPOINT_UNPROVED: any of these or no point, for example if the line nearly touches the segment.
+ *           On error loc and dist are untouched: FOOTPOINT_ERR_DOMAIN if xS is too far away for a distance, or the line
+ *           does not meet the segment, and no point beyond the edges is proved; FOOTPOINT_ERR_DEGENERATE if there is no
+ *           area or no direction, or, within rounding errors, if the line is parallel to the segment's plane; and
+ *           FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_tri6_along_n:  does the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_tri6_along(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                       const double xE[3], const double xF[3], const double xS[3],
                                       const double along[3], double loc[2], double *dist)
@@ -4732,7 +4699,7 @@ FOOTPOINT_LOOP void footpoint_tri6_along_n(size_t n, const double *const x[21],
         double at[3];
         int outside;
         const unsigned long long flaw = footpoint_detail_tri6_along(row, q, at, &outside);
-        status[i] = outside - (int)(2 * (flaw >> 63)); /* < 0 where it is asked in full */
+        status[i] = outside - (int)(2 * (flaw >> 63)); /* < 0: a full search follows */
         xi[i] = at[0];
         eta[i] = at[1];
         dist[i] = at[2];

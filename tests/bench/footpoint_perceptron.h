@@ -25,56 +25,56 @@
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
 #define FOOTPOINT_FN static __host__ __device__ __forceinline__
-#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own words */
+#elif defined(FOOTPOINT_DEVICE) /* clang, before or without HIP's own macros */
 #define FOOTPOINT_FN static __attribute__((host, device, always_inline)) inline
 #else
 #define FOOTPOINT_FN static inline
 #endif
 #endif
-#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that unused results are not computed */
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_PART static inline __attribute__((always_inline))
 #else
 #define FOOTPOINT_PART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_APART /* before functions that stay apart: they vectorise for any arrays of callers */
+#ifndef FOOTPOINT_APART /* before functions that stay separate: they vectorise whatever the caller's arrays */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_APART static __attribute__((noinline, unused))
 #else
 #define FOOTPOINT_APART FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
+#ifndef FOOTPOINT_LOOP /* before loops over arrays: their callees are inlined, whatever their size */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_APART
 #else
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#ifndef FOOTPOINT_COLD /* before functions that are seldom called: not inlined */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
 #endif
 #endif
-#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
-                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#ifndef FOOTPOINT_EACH /* before loops over arrays that do not overlap; for clang pass -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns if it is not obeyed */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_EACH _Pragma("GCC ivdep")
 #else
 #define FOOTPOINT_EACH
 #endif
 #endif
-#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#ifndef FOOTPOINT_UNROLL /* before short loops inside loops over arrays, which vectorise only without them */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
 #else
 #define FOOTPOINT_UNROLL
 #endif
 #endif
-#ifndef FOOTPOINT_WHOLE /* the same of known counts, long ones too, which clang must be told */
+#ifndef FOOTPOINT_WHOLE /* the same for known counts, also long ones, which clang needs */
 #if defined(__clang__) && !defined(FOOTPOINT_DEVICE)
 #define FOOTPOINT_WHOLE _Pragma("clang loop unroll(full)")
 #else
@@ -108,8 +108,9 @@
 
 #ifndef FOOTPOINT_DETAIL_BITS
 #define FOOTPOINT_DETAIL_BITS
-/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an integer, are above
- * all finite numbers, and NaN is above infinity.  The functions below return their finding in the highest bit. */
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
 FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
     union {
@@ -120,8 +121,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     return both.bits;
 }
 
-/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, of which gcc otherwise makes
- * four instructions each instead of one. */
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
 FOOTPOINT_PART double footpoint_detail_zero(void)
 {
     const volatile int zero = 0;
@@ -358,7 +359,7 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS
 #define FOOTPOINT_DETAIL_BOUNDS
-/* The highest bit is set where compilers may order sums as they like: nothing is proved then. */
+/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -368,7 +369,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 #endif
 }
 
-/* The greater number; a comparison with NaN raises no exception. */
+/* Returns the greater number; a comparison with NaN raises no exception. */
 FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
@@ -378,37 +379,17 @@ FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
 #endif
 }
 
-/* The sum of the absolute values, and the largest. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART double footpoint_detail_sum(const double a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-FOOTPOINT_PART double footpoint_detail_most(const double a[3])
-{
-    return footpoint_detail_greater(fabs(a[0]), footpoint_detail_greater(fabs(a[1]), fabs(a[2])));
-}
-
-/* The scalar product of a, >= 0, and |b|. */
+/* Returns the scalar product of a, >= 0, and |b|. */
 FOOTPOINT_PART double footpoint_detail_weigh(const double a[3], const double b[3])
 {
     return a[0] * fabs(b[0]) + a[1] * fabs(b[1]) + a[2] * fabs(b[2]);
 }
-#endif
-
-#ifndef FOOTPOINT_QUAD4_ANSWER
-#define FOOTPOINT_QUAD4_ANSWER
-/* What a proof knows of a segment and a slave node: their vectors x; those of r = c0 + xi a + eta b + xi eta c and d = xS - c0, `over`
- * of the d here; size = a . a + b . b + c . c; and of what their rounding errors are.  Coordinates of a are off by some units of
- * rounding of those of |a| + |c| + 0.08 |b|, of b, of |b| + |c| + 0.08 |a|, of c, of those with twist = 1, of these with 2, of both with
- * 3; of d, of |a| + |b| + |c| + |d|; products of two, by as many units as `rounding`, less 10, has, of the product of what bounds the
- * two, where that of d has 0.5 (|a| + |b| + |c|) + |d|. */
-typedef struct {
-    const double *const *x;
-    const double *a, *b, *c, *d;
-    double over, size, rounding;
-    int twist;
-} footpoint_detail_quad4_vectors;
 
 /* Not less than the root of x >= 0, and at most 1.061 times that: half of its exponent, as logarithms have it. */
 FOOTPOINT_PART double footpoint_detail_root_bound(double x)
@@ -420,9 +401,25 @@ FOOTPOINT_PART double footpoint_detail_root_bound(double x)
     both.bits = (footpoint_detail_bits(x) >> 1) + (footpoint_detail_bits(1.0) >> 1);
     return both.number;
 }
+#endif
 
-/* What is at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and of each coordinate the sum of the absolute values of its
- * terms, U, V, W, C.  By rounding u and v are off by 4 units of U and V, w by 7 of W, c by 2 of C. */
+#ifndef FOOTPOINT_QUAD4_ANSWER
+#define FOOTPOINT_QUAD4_ANSWER
+/* Data for a proof about a segment and a slave node: their vectors x; the vectors of r = c0 + xi a + eta b + xi eta c
+ * and d = xS - c0, `over` of the d here; size = a . a + b . b + c . c; and their rounding errors. Coordinates of a are
+ * off by some units of rounding of those of |a| + |c| + 0.08 |b|, of b by units of |b| + |c| + 0.08 |a|; of c by units
+ * of the former with twist = 1, of the latter with 2, of both with 3; of d by units of |a| + |b| + |c| + |d|. A product
+ * of two is off by `rounding`, minus 10 units, of the product of the two bounds, where the bound of d is 0.5 (|a| + |b|
+ * + |c|) + |d|. */
+typedef struct {
+    const double *const *x;
+    const double *a, *b, *c, *d;
+    double over, size, rounding;
+    int twist;
+} footpoint_detail_quad4_vectors;
+
+/* Values at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and for each coordinate the sum of the absolute
+ * values of its terms, U, V, W, C. By rounding u and v are off by 4 units of U and V, w by 7 of W, c by 2 of C. */
 typedef struct {
     double u[3], v[3], w[3], c[3], U[3], V[3], W[3], C[3];
 } footpoint_detail_quad4_place;
@@ -450,18 +447,18 @@ FOOTPOINT_PART void footpoint_detail_quad4_visit(const double *const *x, double 
     }
 }
 
-/* A Newton step to the foot point of r, by xi and eta.  The highest bit of what it returns is not set if a minimum of the
- * distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
+/* Takes a Newton step to the foot point of r, by xi and eta. The highest bit of the result is not set if a minimum of
+ * the distance is proved to lie within promise * max(1, |xi|, |eta|) of the answer.
  *
- * By Newton and Kantorovich, in maximum norms: F = (u . w, v . w) has the Jacobian -H, H = [uu r12; r12 vv], r12 = u . v - c . w;
- * beta = |H^-1|, `step` = |H^-1 F|.  In a ball of 1/6, H has the Lipschitz constant L = 4 (|u . c| + |v . c|) + c . c.  If
- * h = beta L step <= 0.2625, then there is a root within 1.19 steps, and within 0.71 h step of the exact answer, and H is positive
- * definite all the way there.
+ * By Newton and Kantorovich, in maximum norms: F = (u . w, v . w) has the Jacobian -H, H = [uu r12; r12 vv], r12 = u .
+ * v - c . w; beta = |H^-1|, `step` = |H^-1 F|. In a ball of 1/6, H has the Lipschitz constant L = 4 (|u . c| + |v . c|)
+ * + c . c. If h = beta L step <= 0.2625, then there is a root within 1.19 steps, and within 0.71 h step of the exact
+ * answer, and H is positive definite on the whole way there.
  *
- * Rounding: F is off by 7 units of U |w| + W |u|, of V |w| + W |v|, and what products of two errors make; H by 13 of rows
- * U (U + V) + C W and V (U + V) + C W; Cramer's rule adds 12, as r12^2 is no more than 1e-4 det / (2 units); L is off by 40 of
- * C (U + V + C).  `tilt` bounds |H^-1| times the errors of H: with a step they are errors of F, too.  It makes beta and errors of F
- * 1.06 times as large at most. */
+ * Rounding: F is off by 7 units of U |w| + W |u|, of V |w| + W |v|, and by products of two errors; H by 13 of rows U (U
+ * + V) + C W and V (U + V) + C W; Cramer's rule adds 12, as r12^2 is at most 1e-4 det / (2 units); L is off by 40 of C
+ * (U + V + C). `tilt` bounds |H^-1| times the errors of H; times a step, these are errors of F, too. It makes beta and
+ * errors of F at most 1.06 times as large. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_newton(const double *const *x, double promise, double *xi,
                                                                 double *eta)
 {
@@ -511,17 +508,18 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_newton(const double *co
            footpoint_detail_infinite(room + h + off + s + t) | footpoint_detail_fast();
 }
 
-/* The same, where it is seldom called. */
+/* The same, not inlined because it is seldom called. */
 FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_prove(const double *const *x, double promise, double *xi,
                                                                double *eta)
 {
     return footpoint_detail_quad4_newton(x, promise, xi, eta);
 }
 
-/* Bounds P T and Q T, times `rounding`, see footpoint_detail_quad4_step(), with |xi| and |eta| up to p and q, of Euclidean norms, by
- * Cauchy and Schwarz, of the bounds on coordinates that footpoint_detail_quad4_vectors has.  With r->rounding they bound what the
- * slopes r_xi . D and r_eta . D of vectors are off by: tangents by k + 2 units of theirs, D by k + 5 of T and another half of |a| + |b| +
- * |c|, the scalar product adds 3, and `rounding` has at least 2 k + 13. */
+/* Bounds P T and Q T, times `rounding`, see footpoint_detail_quad4_step(), for |xi| and |eta| up to p and q, in
+ * Euclidean norms, by Cauchy and Schwarz, from the bounds on coordinates that footpoint_detail_quad4_vectors has. With
+ * r->rounding they bound the errors of the slopes r_xi . D and r_eta . D of vectors: tangents are off by k + 2 units of
+ * their bounds, D by k + 5 of T and half of |a| + |b| + |c|, the scalar product adds 3, and `rounding` has at least 2 k
+ * + 13. */
 FOOTPOINT_PART void footpoint_detail_quad4_off(const double products[9],
                                                const footpoint_detail_quad4_vectors *r,
                                                double rounding, double p, double q, double *f, double *g)
@@ -538,23 +536,25 @@ FOOTPOINT_PART void footpoint_detail_quad4_off(const double products[9],
     *g = v * far;
 }
 
-/* A step of third order, of second for promises from 1e-3 on, to the foot point, by xi and eta, from products[] = a a, a b, b b,
- * a c, b c, c c, a d, b d, c d.  The highest bit of the result is not set if a minimum of the distance is proved to lie within
- * `promise` of the answer.
+/* Takes a step of third order, of second for promises from 1e-3 on, to the foot point, by xi and eta, from products[] =
+ * a a, a b, b b, a c, b c, c c, a d, b d, c d. The highest bit of the result is not set if a minimum of the distance is
+ * proved to lie within `promise` of the answer.
  *
- * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv].  Newton's step s = H^-1 F leaves N(s) of F, a
- * polynomial; x = -H^-1 N(s) is the correction.  In maximum norms, beta = |H^-1|; in a ball of 1/3 about the start H has the
- * Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + 2 c . c.  R bounds rounding.  Let h = beta L (|s| + 2 |x| + 2 R); in the ball
- * of that radius |1 - H^-1 H(y)| <= h, so that Newton's iteration with H kept contracts.  Its next correction, at most h |x| + R,
- * bounds the distance of the answer from a root within a factor of 1 / (1 - h), and H is positive definite all the way there.
- * Without the correction, |s| / 3 stands for |x|: the next one is at most beta L |s|^2 / 2 + R.
+ * F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [uu r12; r12 vv]. Newton's step s = H^-1 F leaves
+ * N(s) of F, a polynomial; x = -H^-1 N(s) is the correction. In maximum norms, beta = |H^-1|; in a ball of 1/3 about
+ * the start H has the Lipschitz constant L = 4 (|r_xi . c| + |r_eta . c|) + 2 c . c. R bounds rounding. Let h = beta L
+ * (|s| + 2 |x| + 2 R). In the ball of that radius |1 - H^-1 H(y)| <= h, so Newton's iteration with H kept contracts.
+ * Its next correction, at most h |x| + R, bounds the distance of the answer from a root within a factor of 1 / (1 - h),
+ * and H is positive definite on the whole way there. Without the correction, |s| / 3 replaces |x|: the next correction
+ * is at most beta L |s|^2 / 2 + R.
  *
- * R: with P = |a| + ..., what bounds the errors of coordinates of r_xi, Q of r_eta, C of c, T of D as |d| + |xi a| + ..., the
- * products give F's row xi within k units of P T, and its polynomials add 6, H's within k + 6 units of P P and of P Q + C T.  With
- * Cramer's rule, 5 more, H s is off by (k + 11) |s| units of P (P + Q) + C T, and by N's rounding, as 2 |s| |c| is in P, 1.25 times
- * that again: in all by (k + 6) units of P T + 4 |s| (P (P + Q) + C T).  P and T of |xi| and |eta| longer by 6 |s| contain that: P
- * grows by 4 |s| C, T by 4 |s| (P + Q).  Off the finest promises a coarser bound is enough, of |s| < 1/6.  0.2, 1.4 and 1.3 leave
- * for rounding errors of beta, h and the determinant, which are 9 R at most, what 0.25 and 1 / (1 - 0.25) allow. */
+ * R: let P = |a| + ... bound the errors of coordinates of r_xi, Q of r_eta, C of c, T of D as |d| + |xi a| + .... The
+ * products yield F's row xi within k units of P T, and its polynomials add 6, H's within k + 6 units of P P and of P Q
+ * + C T. With Cramer's rule, 5 more, H s is off by (k + 11) |s| units of P (P + Q) + C T, and by N's rounding, as 2 |s|
+ * |c| is in P, 1.25 times that again: in all by (k + 6) units of P T + 4 |s| (P (P + Q) + C T). P and T for |xi| and
+ * |eta| longer by 6 |s| contain that: P grows by 4 |s| C, T by 4 |s| (P + Q). Except for the finest promises a coarser
+ * bound for |s| < 1/6 suffices. 0.2, 1.4 and 1.3 leave the margin of 0.25 and 1 / (1 - 0.25) for rounding errors of
+ * beta, h and the determinant, which are at most 9 R. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double products[9],
                                                               const footpoint_detail_quad4_vectors *r,
                                                               double promise, double *xi, double *eta)
@@ -600,8 +600,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double produ
            footpoint_detail_infinite(room) | footpoint_detail_fast();
 }
 
-/* Steps until one is proved, or they are too short to matter, up to four, of finite xi and eta; in a loop over arrays, fixed = 1 or 2 of them, with the same answer where
- * these are enough. */
+/* Takes up to four steps until one is proved, or they are too short to matter, from finite xi and eta; in a loop over
+ * arrays, `fixed` = 1 or 2 steps, with the same answer if these suffice. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double products[9],
                                                                const footpoint_detail_quad4_vectors *r,
                                                                double promise, int fixed, double *xi, double *eta)
@@ -617,7 +617,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double prod
             return doubt;
         u = *xi;
         v = *eta;
-        /* as below: if the first step was that short, the second is none */
+        /* as below: if the first step was that short, the second is omitted */
         still = footpoint_detail_bits(fabs(u - p) + fabs(v - q) - 0.01 * promise);
         still |= footpoint_detail_quad4_step(products, r, promise, &u, &v);
         *xi = doubt >> 63 ? u : *xi;
@@ -632,14 +632,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_steps(const double prod
         doubt = footpoint_detail_infinite(*xi + *eta) |
                 footpoint_detail_bits(fabs(*xi - u) + fabs(*eta - v) - 0.01 * promise);
     }
-    /* where products have lost too many digits, vectors have not */
+    /* if products have lost too many digits, vectors have not */
     if (promise < 1e-9 && !(footpoint_detail_infinite(*xi + *eta) >> 63))
         return footpoint_detail_quad4_prove(r->x, promise, xi, eta);
     return (unsigned long long)1 << 63;
 }
 
-/* The square of the distance at (xi,eta), of vectors with over = 1; and where gauss is not
- * NULL, the step of Gauss and Newton from there, which leads downhill. */
+/* Returns the squared distance at (xi,eta), of vectors with over = 1, and, if gauss is not NULL, computes the
+ * Gauss-Newton step from there, which leads downhill. */
 FOOTPOINT_COLD double footpoint_detail_quad4_apart(const double a[3], const double b[3], const double c[3],
                                                    const double d[3], double xi, double eta, double *gauss)
 {
@@ -663,7 +663,7 @@ FOOTPOINT_COLD double footpoint_detail_quad4_apart(const double a[3], const doub
     return footpoint_detail_dot(w, w);
 }
 
-/* Vectors as sums of edges, four times r's. */
+/* Computes the vectors as sums of edges, four times r's. */
 FOOTPOINT_COLD void footpoint_detail_quad4_edges(double y[5][3], double a[3], double b[3],
                                                  double c[3], double d[3])
 {
@@ -678,8 +678,8 @@ FOOTPOINT_COLD void footpoint_detail_quad4_edges(double y[5][3], double a[3], do
     }
 }
 
-/* From `at`, where the square of the distance is *apart, to `to`, if that is nearer; else by damped steps of Gauss and Newton, which
- * lead downhill.  0 if nothing is nearer. */
+/* Moves from `at`, where the squared distance is *apart, to `to`, if that is nearer; otherwise by damped Gauss-Newton
+ * steps, which lead downhill. Returns 0 if nothing is nearer. */
 FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const double a[3], const double b[3], const double c[3],
                                                  const double d[3], double to[2], double at[2],
                                                  double *apart)
@@ -703,11 +703,12 @@ FOOTPOINT_COLD int footpoint_detail_quad4_nearer(const double a[3], const double
     return 1;
 }
 
-/* footpoint_detail_quad4_newton of vectors as footpoint_detail_quad4_edges makes them, off by 3 units of |a| + |b| + |c| (and |d|):
- * where |xi| or |eta| is large, products of both weigh nodes, but not these.
+/* Does the same as footpoint_detail_quad4_newton for vectors of footpoint_detail_quad4_edges, which are off by 3 units
+ * of |a| + |b| + |c| (and |d|). If |xi| or |eta| is large, products of both weigh nodes, but not these vectors.
  *
- * F is off by 11 units of far (|r_xi|, |r_eta| + |D|), and what H is off by counts as much as 8 step far in place of |D|; sums of
- * any order.  The weak inequality of `det` keeps the rounding errors of beta and h below what 0.249 and 0.999 leave. */
+ * F is off by 11 units of far (|r_xi|, |r_eta| + |D|), and the error of H counts as 8 step far in place of |D|; sums of
+ * any order. The weak inequality of `det` keeps the rounding errors of beta and h below the margins of 0.249 and
+ * 0.999. */
 FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_far(const double a[3], const double b[3],
                                                              const double c[3], const double d[3], double promise,
                                                              double *xi, double *eta)
@@ -747,8 +748,8 @@ FOOTPOINT_COLD unsigned long long footpoint_detail_quad4_far(const double a[3], 
            footpoint_detail_infinite(room + h + off + s + t) | footpoint_detail_fast();
 }
 
-/* From (*xi,*eta) by up to 20 steps until one is proved; FOOTPOINT_UNPROVED if none is.  y: the vectors in a unit of length in which the
- * segment is about 1 long. */
+/* Takes up to 20 steps from (*xi,*eta) until one is proved; otherwise FOOTPOINT_UNPROVED. y: the vectors in a unit of
+ * length in which the segment is about 1 long. */
 FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise, double *xi,
                                                  double *eta)
 {
@@ -782,7 +783,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise,
             at[1] = to[1];
         } else if (!footpoint_detail_quad4_nearer(a, b, c, d, to, at, &apart))
             break;
-        if (moved < 0.01 * promise) /* rounding forbids the proof */
+        if (moved < 0.01 * promise) /* rounding prevents the proof */
             break;
     }
     *xi = at[0];
@@ -790,8 +791,9 @@ FOOTPOINT_COLD int footpoint_detail_quad4_repair(double y[5][3], double promise,
     return status;
 }
 
-/* The answer where a search is not good beyond doubt; promise <= 0: nothing is promised.  The search once more, as a loop takes fewer
- * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
+/* Answers if a search is not good beyond doubt; promise <= 0: nothing is promised. It repeats the search, because a
+ * loop takes fewer steps, in a unit of length in which the segment is about 1 long if it is far from that, then
+ * repairs. */
 FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search,
                                                  const double *const *x, int nodes, double promise,
                                                  double loc[2], double *gap)
@@ -820,7 +822,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search
         }
         g = ldexp(g, exponent);
         if ((doubt | footpoint_detail_infinite(g)) >> 63)
-            return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+            return FOOTPOINT_ERR_DEGENERATE; /* the distance overflows */
     }
     loc[0] = xi;
     loc[1] = eta;
@@ -835,14 +837,14 @@ FOOTPOINT_COLD int footpoint_detail_quad4_answer(footpoint_detail_search *search
 #define FOOTPOINT_OUTSIDE 1
 #endif
 
-/* See footpoint_detail_quad4_gap(). */
+/* Computes the gap; see footpoint_detail_quad4_gap(). */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_box_gap(const double *const *x, double xi, double eta,
                                                                  double least, double *gap)
 {
     return footpoint_detail_quad4_gap(x, xi, eta, least, gap);
 }
 
-/* The highest bit is not set if (xi,eta) is in the segment. */
+/* Returns its highest bit clear if (xi,eta) is in the segment. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_box_beyond(double xi, double eta)
 {
     return footpoint_detail_above(xi, 1.0) | footpoint_detail_above(eta, 1.0);
@@ -853,8 +855,8 @@ FOOTPOINT_PART double footpoint_detail_quad4_box_kept(double p)
     return p < -1.0 ? -1.0 : p < 1.0 ? p : 1.0;
 }
 
-/* Newton's steps from (*xi,*eta), up to four, until one is proved.  The highest bit of the result is not set if a minimum of the
- * distance is proved to lie within `promise` of the answer, and the answer is in the segment. */
+/* Takes up to four Newton steps from (*xi,*eta), until one is proved. The highest bit of the result is not set if a
+ * minimum of the distance is proved to lie within `promise` of the answer, and the answer is in the segment. */
 FOOTPOINT_FN unsigned long long footpoint_detail_quad4_box_prove(const double *const *x, double promise,
                                                                  double *xi, double *eta)
 {
@@ -865,13 +867,14 @@ FOOTPOINT_FN unsigned long long footpoint_detail_quad4_box_prove(const double *c
     return doubt | footpoint_detail_quad4_box_beyond(*xi, *eta);
 }
 
-/* Whether a minimum of the distance on the closed segment is proved to lie within `promise` of `at`, on the edge that holds
- * coordinate j at -1 or 1, and the distance falls beyond that edge.  *apart: the square of the distance, of vectors four times as long.
+/* Returns 1 if a minimum of the distance on the closed segment is proved to lie within `promise` of `at`, on the edge
+ * that holds coordinate j at -1 or 1, and the distance falls beyond that edge. *apart: the squared distance, of vectors
+ * four times as long.
  *
- * Along the edge t, r_eta or r_xi, is constant, so that g = t . w is linear and its root within |g| / t . t; beyond an end where g leads
- * outwards that end is the minimum.  Over e of the edge the slope across, n . w, changes by e (|c . w| + |n . t|) + e^2 |c . t| at
- * most.  Rounding: see footpoint_detail_quad4_visit; slopes are off by 7 units of T |w| + W |t|, N |w| + W |n|, and what products of two
- * errors make; t . t by 11 of T . T. */
+ * Along the edge t, r_eta or r_xi, is constant. So g = t . w is linear, and its root lies within |g| / t . t; if g
+ * leads outwards beyond an end, that end is the minimum. Over e of the edge the slope across, n . w, changes by at most
+ * e (|c . w| + |n . t|) + e^2 |c . t|. Rounding: see footpoint_detail_quad4_visit; slopes are off by 7 units of T |w| +
+ * W |t|, N |w| + W |n|, and by the products of two errors; t . t by 11 of T . T. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_border(const double *const *x, int j, double promise,
                                                      const double at[2], double *apart)
 {
@@ -902,7 +905,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_border(const double *const *x, int
            !(footpoint_detail_fast() >> 63);
 }
 
-/* The nearest of the proved minima on the edges; 0 if there is none. */
+/* Finds the nearest of the proved minima on the edges; returns 0 if there is none. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_edges(const double *const *x, double promise, double at[2])
 {
     double least = 0.0, apart;
@@ -930,9 +933,9 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_edges(const double *const *x, doub
     return found;
 }
 
-/* Steps from `at` to a minimum in the segment; if they lead to one outside of it, or `anyway`, to one on an edge,
- * FOOTPOINT_OUTSIDE.  y: as of footpoint_detail_quad4_repair, which goes on to 1e-5 as its steps stop at a hundredth of a
- * promise. */
+/* Takes steps from `at` to a minimum in the segment. If they lead outside, or `anyway`, it looks for a minimum on an
+ * edge, FOOTPOINT_OUTSIDE. y: as for footpoint_detail_quad4_repair, which continues to 1e-5 because its steps stop at a
+ * hundredth of a promise. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_steps(double y[5][3], double promise, int anyway,
                                                     double at[2])
 {
@@ -946,7 +949,8 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_steps(double y[5][3], double promi
     return FOOTPOINT_UNPROVED;
 }
 
-/* Moves `at` into the segment: FOOTPOINT_OK if a minimum so little beyond it is proved that it is within `promise` of the answer. */
+/* Moves `at` into the segment. Returns FOOTPOINT_OK if a minimum is proved so little beyond it that it is within
+ * `promise` of the answer. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_keep(double y[5][3], double promise, double at[2])
 {
     const double *const x[5] = {y[0], y[1], y[2], y[3], y[4]};
@@ -959,7 +963,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_keep(double y[5][3], double promis
     return proved ? FOOTPOINT_OK : FOOTPOINT_UNPROVED;
 }
 
-/* An answer from (*xi,*eta), or else from the middle, or from that of a quarter. */
+/* Answers from (*xi,*eta), otherwise from the middle, or from the middle of a quarter. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_repair(double y[5][3], double promise, double *xi,
                                                      double *eta)
 {
@@ -986,8 +990,9 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_repair(double y[5][3], double prom
     return status;
 }
 
-/* The answer where a search is not good beyond doubt; promise <= 0: nothing is promised.  The search once more, as a loop takes fewer
- * steps, in a unit of length in which the segment is about 1 long if it is far from that, then repair. */
+/* Answers if a search is not good beyond doubt; promise <= 0: nothing is promised. It repeats the search, because a
+ * loop takes fewer steps, in a unit of length in which the segment is about 1 long if it is far from that, then
+ * repairs. */
 FOOTPOINT_COLD int footpoint_detail_quad4_box_answer(footpoint_detail_search *search,
                                                      const double *const *x, int nodes, double promise,
                                                      double loc[2], double *gap)
@@ -1016,7 +1021,7 @@ FOOTPOINT_COLD int footpoint_detail_quad4_box_answer(footpoint_detail_search *se
         }
         g = ldexp(g, exponent);
         if ((doubt | footpoint_detail_infinite(g)) >> 63)
-            return FOOTPOINT_ERR_DEGENERATE; /* a distance beyond all numbers */
+            return FOOTPOINT_ERR_DEGENERATE; /* the distance overflows */
     }
     loc[0] = xi;
     loc[1] = eta;
@@ -1047,8 +1052,8 @@ FOOTPOINT_PART void footpoint_detail_quad4_box_n(footpoint_detail_quad4_box_sear
     }
 }
 
-/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
- * doubt is searched in full behind the loop. */
+/* Searches with statuses. p: the vectors, the first `nodes` of which another unit of length changes. Answers that are
+ * not good beyond doubt are searched in full after the loop. */
 FOOTPOINT_PART void footpoint_detail_quad4_box_full(footpoint_detail_search *search,
                                                     const double *const *row, int nodes, double promise,
                                                     double *xi, double *eta, double *gap, int *status)
@@ -1177,11 +1182,12 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
  *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
 
-/* NAME and NAME_checked_n keep to the closed segment, |xi| <= 1 and |eta| <= 1.  FOOTPOINT_OK: a minimum of the distance to the
- * surface is proved to lie within NAME_PROMISE, a macro, of (xi,eta).  FOOTPOINT_OUTSIDE: (xi,eta) lies on an edge or in a corner, and
- * within NAME_PROMISE of a proved minimum of the distance to the closed segment, from which the distance falls beyond the border.  Both
- * hold for any segment, rounding errors included.  FOOTPOINT_UNPROVED: steps came to no proof, loc and gap are where they ended;
- * under -ffast-math nothing is proved.  NAME_at and NAME_n prove nothing, and assume the order of corners of the banner. */
+/* NAME and NAME_checked_n stay in the closed segment, |xi| <= 1 and |eta| <= 1. FOOTPOINT_OK: a minimum of the distance
+ * to the surface is proved to lie within the macro NAME_PROMISE of (xi,eta). FOOTPOINT_OUTSIDE: (xi,eta) lies on an
+ * edge or in a corner, and within NAME_PROMISE of a proved minimum of the distance to the closed segment, from which
+ * the distance falls beyond the border. Both hold for any segment, rounding errors included. FOOTPOINT_UNPROVED: the
+ * steps found no proof, and loc and gap are where they ended; under -ffast-math nothing is proved. NAME_at and NAME_n
+ * prove nothing, and assume the order of corners of the banner. */
 
 FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_8_detail(const double xA[3], const double xB[3],
                                                                        const double xC[3], const double xD[3],
@@ -1935,32 +1941,32 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_16_checked_n(size_t n, const 
 /* The largest error of xi and eta behind FOOTPOINT_OK. */
 #define FOOTPOINT_ALONG_PROMISE 1e-9
 
-/* The larger one without a branch, which would keep loops from being vectorised. */
+/* Returns the larger number without a branch, which would keep loops from being vectorised. */
 FOOTPOINT_PART double footpoint_detail_larger(double a, double b)
 {
     return 0.5 * (a + b + fabs(a - b));
 }
 
-/* How far |x| is above 1, and 0 below. */
+/* Returns the excess of |x| over 1, and 0 below. */
 FOOTPOINT_PART double footpoint_detail_excess(double x)
 {
     const double more = fabs(x) - 1.0;
     return 0.5 * (more + fabs(more));
 }
 
-/* Half of the last digit of 1. */
+/* Returns half of the last digit of 1. */
 FOOTPOINT_PART double footpoint_detail_unit(void)
 {
     return 1.0 / (double)((unsigned long long)1 << 53);
 }
 
-/* The sum of the absolute values. */
+/* Returns the sum of the absolute values. */
 FOOTPOINT_PART double footpoint_detail_manhattan(const double a[3])
 {
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-/* The status of a proved point on the face: proofs do not hold where compilers may order sums as they like. */
+/* Returns the status of a proved point on the face: proofs do not hold if compilers may reorder sums. */
 FOOTPOINT_PART int footpoint_detail_met(void)
 {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
@@ -1970,7 +1976,7 @@ FOOTPOINT_PART int footpoint_detail_met(void)
 #endif
 }
 
-/* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
+/* Scales the direction to a length of about 1. Returns FOOTPOINT_ERR_DEGENERATE if it has no length. */
 FOOTPOINT_FN int footpoint_detail_along_scale(const double along[3], double p[3])
 {
     double most = 0.0;
@@ -1990,7 +1996,7 @@ FOOTPOINT_FN int footpoint_detail_along_scale(const double along[3], double p[3]
 
 #ifndef FOOTPOINT_QUAD4_ALONG
 #define FOOTPOINT_QUAD4_ALONG
-/* c1, c2, c3 and d, all times 4. */
+/* Computes c1, c2, c3 and d, all times 4. */
 FOOTPOINT_PART void footpoint_detail_quad4_frame(const double *const *x, double c1[3], double c2[3],
                                                  double c3[3], double d[3])
 {
@@ -2005,7 +2011,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_frame(const double *const *x, double 
     }
 }
 
-/* The coefficients of both equations, {[c1 c2], [c1 c3], [c3 c2], [d c3], [c2 d], [d c1]}. */
+/* Computes the coefficients of both equations, {[c1 c2], [c1 c3], [c3 c2], [d c3], [c2 d], [d c1]}. */
 FOOTPOINT_PART void footpoint_detail_quad4_brackets(const double c1[3], const double c2[3],
                                                     const double c3[3], const double d[3],
                                                     const double p[3], double k[6])
@@ -2022,7 +2028,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_brackets(const double c1[3], const do
     k[5] = footpoint_detail_dot(d, m1);
 }
 
-/* 4 (xS - r) . p */
+/* Returns 4 (xS - r) . p. */
 FOOTPOINT_PART double footpoint_detail_quad4_ahead(const double c1[3], const double c2[3],
                                                    const double c3[3], const double d[3], const double p[3],
                                                    double xi, double eta)
@@ -2034,8 +2040,9 @@ FOOTPOINT_PART double footpoint_detail_quad4_ahead(const double c1[3], const dou
     return ahead;
 }
 
-/* Bounds of rounding errors: of d, over |p|, `away`; of the other vectors, over their size, `units`.  Differences of nodes are off by a
- * unit, c1 to c3 by 4, d by 6 and 2 of its own; vectors at right angles to p, their products and sums count for the rest. */
+/* Bounds rounding errors: of d, over |p|, `away`; of the other vectors, over their size, `units`. Differences of nodes
+ * are off by a unit, c1 to c3 by 4, d by 6 and 2 of its own; vectors at right angles to p, their products and sums
+ * count for the rest. */
 FOOTPOINT_PART double footpoint_detail_quad4_rounding(const double c1[3], const double c2[3],
                                                       const double c3[3], const double d[3], double units)
 {
@@ -2045,9 +2052,10 @@ FOOTPOINT_PART double footpoint_detail_quad4_rounding(const double c1[3], const 
                      footpoint_detail_manhattan(c3)));
 }
 
-/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of where the equations leave r and
- * s, and no other one where |xi|, |eta| <= wide.  off: rounding errors of the equations there.  As a map that leads to xi, eta, r - k2
- * xi eta and s - k1 xi eta, over j, contract if `room` > 0, in a norm of its own; then solutions lie within what `left` bounds. */
+/* Proves a solution. The highest bit of the result is set unless a solution is proved to lie within the promise of the
+ * place at which the equations leave r and s, and no other solution with |xi|, |eta| <= wide. off: rounding errors of
+ * the equations there. As a map to xi, eta, r - k2 xi eta and s - k1 xi eta, over j, contract if `room` > 0, in their
+ * own norm; then solutions lie within the bound `left`. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_meet(double j, double k1, double k2, double r, double s,
                                                               const double off[2], double wide)
 {
@@ -2060,8 +2068,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_meet(double j, double k
            footpoint_detail_bits(right) | footpoint_detail_infinite(left + right);
 }
 
-/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless that
- * is proved, as J has one sign in the segment and as far beyond it as (xi, eta) lies. */
+/* Finds at = {xi, eta, distance times |p|}, with status FOOTPOINT_OK or FOOTPOINT_OUTSIDE. The highest bit of the
+ * result is set unless that is proved: J has one sign in the segment and as far beyond it as (xi, eta) lies. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad4_along(const double *const *x, const double p[3],
                                                                double at[3], int *status)
 {
@@ -2091,7 +2099,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_along(const double *con
            footpoint_detail_infinite(at[2]);
 }
 
-/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`; 0 where any x is one, as on a collapsed edge. */
+/* Returns the solution of a x^2 + b x + c = 0 for which 2 a x + b is `slope`; 0 if any x is a solution, as on a
+ * collapsed edge. */
 FOOTPOINT_PART double footpoint_detail_root(double a, double b, double c, double slope)
 {
     if (a == 0.0 && b == 0.0 && c == 0.0)
@@ -2099,8 +2108,8 @@ FOOTPOINT_PART double footpoint_detail_root(double a, double b, double c, double
     return b * slope > 0.0 ? -2.0 * c / (b + slope) : (slope - b) / (2.0 * a);
 }
 
-/* The highest bit of what it returns is set unless a solution is proved to lie within the promise of (xi,eta), with J of the sign of
- * `slope`: there tangents take the place of c1 and c2, and xS - r that of d. */
+/* The highest bit of the result is set unless a solution is proved to lie within the promise of (xi,eta), with J of the
+ * sign of `slope`: there, tangents replace c1 and c2, and xS - r replaces d. */
 FOOTPOINT_FN unsigned long long footpoint_detail_quad4_line_near(const double c1[3], const double c2[3],
                                                                  const double c3[3], const double d[3],
                                                                  const double p[3], double xi, double eta,
@@ -2123,9 +2132,9 @@ FOOTPOINT_FN unsigned long long footpoint_detail_quad4_line_near(const double c1
            footpoint_detail_bits(k[0] * slope);
 }
 
-/* Both solutions: z, xi, eta and the distance, what they reach at most of xi and eta, and whether a solution is proved to be there;
- * FOOTPOINT_ERR_DOMAIN if there is none.  Of the two ways to compute the discriminant the one that loses fewer digits, as near
- * a collapsed edge. */
+/* Computes both solutions: z, xi, eta and the distance, their largest xi and eta, and whether a solution is proved to
+ * be there. Returns FOOTPOINT_ERR_DOMAIN if there is none. The discriminant is computed in the way, of two, that loses
+ * fewer digits, for example near a collapsed edge. */
 FOOTPOINT_FN int footpoint_detail_quad4_solve(const double c1[3], const double c2[3], const double c3[3],
                                               const double d[3], const double p[3], const double k[6],
                                               double z[2][3], double reach[2], int proved[2])
@@ -2162,8 +2171,8 @@ FOOTPOINT_FN int footpoint_detail_quad4_solve(const double c1[3], const double c
     return found ? FOOTPOINT_OK : FOOTPOINT_ERR_DOMAIN;
 }
 
-/* Whether `other` cannot lie in the segment, as z is proved with J of the sign in the middle: there J is -J of z, and in the segment
- * it is more. */
+/* Returns 1 if `other` cannot lie in the segment, because z is proved with J of the sign in the middle: there J is -J
+ * of z, and in the segment it is more. */
 FOOTPOINT_FN int footpoint_detail_quad4_excludes(const double k[6], const double z[3], double reach,
                                                  double off)
 {
@@ -2184,8 +2193,8 @@ FOOTPOINT_FN int footpoint_detail_quad4_edge_on(const double c1[3], const double
              fabs(k[2]) > off * (b + c));
 }
 
-/* That in the segment, of two there the nearer one, of none the one less far outside that is proved.  Where both are proved there is no
- * other one. */
+/* Returns the solution in the segment, the nearer of two there, or otherwise the proved solution less far outside. If
+ * both are proved, there is no other. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, const double p[3],
                                                      double at[3])
 {
@@ -2222,8 +2231,8 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, con
                           : FOOTPOINT_OUTSIDE;
 }
 
-/* In full, in units of length in which the segment and the direction are about 1 long.  A slave node or a distance that is
- * out of range of numbers there is FOOTPOINT_ERR_DOMAIN. */
+/* Searches in full, in units of length in which the segment and the direction are about 1 long. Returns
+ * FOOTPOINT_ERR_DOMAIN if a slave node or a distance overflows there. */
 FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, const double along[3],
                                                       double loc[2], double *dist)
 {
@@ -2253,19 +2262,19 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, co
 }
 #endif
 
-/* footpoint_perceptron_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
- *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
- *           normal that is the gap.  A point where the line meets the surface is proved to lie within FOOTPOINT_ALONG_PROMISE of
- *           loc, farther outside than 1 within that times |xi| or |eta|, rounding errors included; dist is that of r(loc).
- *           FOOTPOINT_OK: it meets the segment nowhere else; FOOTPOINT_NOT_UNIQUE: it meets the segment more than once, and the
- *           answer is the nearest of these points, to their errors; FOOTPOINT_OUTSIDE: it passes by the segment, and
- *           meets the surface there beyond the edges, which count for as thick as FOOTPOINT_ALONG_PROMISE.
- *           FOOTPOINT_UNPROVED: any of these or none, as where it nearly touches the segment.  loc and dist are untouched where it
- *           returns FOOTPOINT_ERR_DOMAIN: xS is too far away for a distance, or the line passes by, and no point beyond the
- *           edges is proved;
- *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, as far as rounding
- *           errors tell; and FOOTPOINT_ERR_NOT_FINITE.
- * footpoint_perceptron_along_n:  the same for n pairs, each with its status and its direction, three columns. */
+/* footpoint_perceptron_along:  finds the point at which the line through xS in the direction `along`, of any length but 0, meets the
+ *           segment: loc = {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along
+ *           the segment's normal dist is the gap. A point at which the line meets the surface is proved to lie within
+ *           FOOTPOINT_ALONG_PROMISE of loc, times |xi| or |eta| if these are above 1, rounding errors included; dist belongs to
+ *           r(loc). FOOTPOINT_OK: the line meets the segment nowhere else. FOOTPOINT_NOT_UNIQUE: it meets the segment
+ *           more than once, and the answer is the nearest of these points, to their errors. FOOTPOINT_OUTSIDE: it does
+ *           not meet the segment, but the surface beyond the edges, which count as FOOTPOINT_ALONG_PROMISE thick.
+ *           FOOTPOINT_UNPROVED: any of these or no point, for example if the line nearly touches the segment.
+ *           On error loc and dist are untouched: FOOTPOINT_ERR_DOMAIN if xS is too far away for a distance, or the line
+ *           does not meet the segment, and no point beyond the edges is proved; FOOTPOINT_ERR_DEGENERATE if there is no
+ *           area or no direction, or, within rounding errors, if the line is parallel to the segment's plane; and
+ *           FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_perceptron_along_n:  does the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int footpoint_perceptron_along(const double xA[3], const double xB[3], const double xC[3],
                                             const double xD[3], const double xS[3], const double along[3],
                                             double loc[2], double *dist)
@@ -2298,7 +2307,7 @@ FOOTPOINT_LOOP void footpoint_perceptron_along_n(size_t n, const double *const x
         double at[3];
         int outside;
         const unsigned long long flaw = footpoint_detail_quad4_along(row, q, at, &outside);
-        status[i] = outside - (int)(2 * (flaw >> 63)); /* < 0 where it is asked in full */
+        status[i] = outside - (int)(2 * (flaw >> 63)); /* < 0: a full search follows */
         xi[i] = at[0];
         eta[i] = at[1];
         dist[i] = at[2];

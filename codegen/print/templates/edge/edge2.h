@@ -1,7 +1,7 @@
 /* Edges of two nodes: all results are exact to rounding. */
 
 /* Projects S.  With e = B - A and d = S - A, (xi + 1) / 2 is d.e / e.e.  Differences are off by one unit of rounding,
- * products by two more.  The sums of products, one term of which cancels, and the quotient are off by at most eight
+ * products by two more.  The sums of products, one term of which cancels, and the quotient are off by at most ten
  * units of the sum of the absolute values. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_edge2_project(const REAL *const *x, REAL promise,
                                                         REAL e[2], REAL d[2], REAL *xi)
