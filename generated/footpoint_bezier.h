@@ -2527,8 +2527,8 @@ FOOTPOINT_COLD double footpoint_detail_convex(double m[3], double a, double b)
 }
 #endif
 
-#ifndef FOOTPOINT_DETAIL_BENDS
-#define FOOTPOINT_DETAIL_BENDS
+#ifndef FOOTPOINT_DETAIL_PATCH_BENDS
+#define FOOTPOINT_DETAIL_PATCH_BENDS
 /* First coefficients of r_pp, 2 along p by 4 along q, of r_pq, 3 by 3, and of r_qq, 4 by 2. */
 enum {
     FOOTPOINT_DETAIL_PP = 0,

@@ -79,7 +79,7 @@ static void print_proved(const struct unit *u, FILE *out)
     if (kind == PROMISE_CURVED || kind == PROMISE_PATCH)
         print_shared(u, "FOOTPOINT_DETAIL_LIMITS", "curved_limits", out);
     if (kind == PROMISE_PATCH)
-        print_shared(u, "FOOTPOINT_DETAIL_BENDS", "patch_bends", out);
+        print_shared(u, "FOOTPOINT_DETAIL_PATCH_BENDS", "patch_bends", out);
     lines_print_templates(u, "NEAREST",
                           kind == PROMISE_CURVED   ? curved
                           : kind == PROMISE_PATCH  ? patch
