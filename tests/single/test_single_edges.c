@@ -185,7 +185,7 @@ static void lines_meet_edges(void **state)
     for (int k = 0; k < 2000; k++) {
         const struct edge e = draw(k % 2 ? ORDINARY : CURVED, &stream, 3);
         const float along[2] = {(float)draw_flat(&stream, -1, 1), (float)draw_flat(&stream, -1, 1)};
-        float xi, dist;
+        float xi = 0, dist;
         struct judged j;
         if (footpoint_edge3_float_along(e.x[0], e.x[1], e.x[2], e.x[3], along, &xi, &dist) != FOOTPOINT_OK)
             continue;
