@@ -84,7 +84,7 @@ END
 
 # sizes HEADER STATUSES WHAT
 sizes() {
-    functions=$(sed -n 's/^FOOTPOINT_FN int \([a-z0-9_]*\)(const double xA.*/\1/p' "$1" | grep -v -e '^footpoint_detail_' -e '_closest$' -e '_along$' | paste -sd, -)
+    functions=$(sed -n 's/^FOOTPOINT_FN int \([a-z0-9_]*\)(const double xA.*/\1/p' "$1" | grep -v -e '^footpoint_detail_' -e '_closest$' -e '_along$' -e '_from$' | paste -sd, -)
     # shellcheck disable=SC2086
     ${CC:-gcc} $strict $called -DHEADER="\"$1\"" -DFUNCTIONS="$functions" -DEXPECTED="((const int[3]){$2})" "$work/sizes.c" -o "$work/sizes" -lm \
         > "$work/log" 2>&1 && "$work/sizes" >> "$work/log" 2>&1
