@@ -1,7 +1,7 @@
 /* Checks functions of faces of six, eight and nine nodes in float. If NAME returns FOOTPOINT_OK, in a call or over
  * arrays, a minimum of the distance must lie within NAME_PROMISE of xi and eta, whatever the face. The judge takes
  * Newton's steps in quadruple precision from the same floats. FOOTPOINT_LONG draws 1e5 faces of each family and prints
- * the shares that are proved. */
+ * the shares that are proved. Points of lines are checked likewise. */
 #define FOOTPOINT_PART static inline /* three kinds are compiled sooner */
 #define FOOTPOINT_LOOP static inline
 #include "../support/long_cases.h"
@@ -172,11 +172,96 @@ static void arrays_match_calls(void **state)
     }
 }
 
+/* ---- lines ---- */
+
+#define LINE(kind, nodes)                                                                                              \
+    static int kind##_line(const float *const *x, const float *along, float loc[2], float *dist)                       \
+    {                                                                                                                  \
+        return footpoint_##kind##_float_along(FIRST_##nodes, along, loc, dist);                                        \
+    }
+LINE(tri6, 6)
+LINE(quad8, 8)
+LINE(quad9, 9)
+
+/* Computes d = xS - r and its derivatives by xi and eta at z. */
+static void differences(const struct curved_powers *p, const wide z[2], wide d[3], wide u[3], wide v[3])
+{
+    for (int k = 0; k < 3; k++) {
+        d[k] = u[k] = v[k] = 0;
+        for (int i = 2; i >= 0; i--) {
+            wide c = 0, by_eta = 0;
+            for (int j = 2; j >= 0; j--) {
+                by_eta = by_eta * z[1] + c;
+                c = c * z[1] + p->d[k][i][j];
+            }
+            u[k] = u[k] * z[0] + d[k];
+            d[k] = d[k] * z[0] + c;
+            v[k] = v[k] * z[0] + by_eta;
+        }
+    }
+}
+
+static wide volume(const wide a[3], const wide b[3], const wide c[3])
+{
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/* Returns true if Newton's steps in quadruple precision for d = t q lead from loc to a point that is near enough. */
+static bool is_met(const struct curved_case *f, const float along[3], const float loc[2])
+{
+    const wide q[3] = {along[0], along[1], along[2]};
+    wide z[2] = {loc[0], loc[1]}, d[3], u[3], v[3], moved = 1;
+    struct curved_powers p;
+    curved_powers(f, &p);
+    for (int step = 0; step < 60 && size_of(moved) > 1e-30; step++) {
+        differences(&p, z, d, u, v);
+        const wide det = volume(u, v, q), s = volume(d, v, q) / det, t = volume(u, d, q) / det;
+        z[0] -= s;
+        z[1] -= t;
+        moved = size_of(s) + size_of(t);
+    }
+    return size_of(moved) <= 1e-20 && size_of(z[0] - (wide)loc[0]) <= (double)FOOTPOINT_ALONG_PROMISE_F &&
+           size_of(z[1] - (wide)loc[1]) <= (double)FOOTPOINT_ALONG_PROMISE_F;
+}
+
+/* Checks that _along returns FOOTPOINT_OK only near a point of the line. */
+static void lines_meet_faces(void **state)
+{
+    static int (*const line[CURVED_KINDS])(const float *const *, const float *, float *,
+                                           float *) = {tri6_line, quad8_line, quad9_line};
+    uint64_t stream = 671;
+    (void)state;
+    for (int k = 0; k < CURVED_KINDS; k++)
+        for (int group = ORDINARY; group < CURVED_GROUPS; group++) {
+            long proved = 0;
+            for (long n = 0; n < cases(); n++) {
+                struct curved_case f = {.kind = &curved_kinds[k]};
+                float x[CURVED_NODES + 1][3], along[3], loc[2], dist;
+                const float *row[CURVED_NODES + 1];
+                single_draw(&stream, (enum single_family)group, &f);
+                round_rows(&f, x, row);
+                for (int i = 0; i < 3; i++)
+                    along[i] = (float)draw_flat(&stream, -1, 1);
+                if (line[k](row, along, loc, &dist) != FOOTPOINT_OK)
+                    continue;
+                proved++;
+                if (!is_met(&f, along, loc))
+                    fail_msg("%s, %s, line %ld: OK at (%.9g, %.9g)", f.kind->name, curved_groups[group], n,
+                             (double)loc[0], (double)loc[1]);
+            }
+            if (getenv("FOOTPOINT_LONG"))
+                print_message("%s, %s: %.2f %% of lines proved\n", curved_kinds[k].name, curved_groups[group],
+                              100. * (double)proved / (double)cases());
+            assert_true(group != ORDINARY || 10 * proved > cases()); /* three in four miss the face */
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(answers_keep_the_promise),
         cmocka_unit_test(arrays_match_calls),
+        cmocka_unit_test(lines_meet_faces),
     };
     return cmocka_run_group_tests_name("float promises of curved faces", tests, NULL, NULL);
 }

@@ -108,6 +108,25 @@ static bool holds(const struct triangle *t, const float loc[2], bool closest)
     return is_near(z, loc, closest ? promise : promise * fmax(1, fmax(x, y)));
 }
 
+/* Finds the point in which the line through the slave node along `along` meets the plane, by Cramer's rule. */
+static void find_meeting(const struct triangle *t, const float along[3], wide z[2])
+{
+    wide m[3][3]; /* u, v, w */
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            m[k][i] = (wide)t->x[k + 1][i] - (wide)t->x[0][i];
+    const wide *const u = m[0], *const v = m[1], *const w = m[2];
+    wide det = 0, xi = 0, eta = 0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        det += (wide)along[i] * (u[j] * v[k] - u[k] * v[j]);
+        xi += (wide)along[i] * (w[j] * v[k] - w[k] * v[j]);
+        eta += (wide)along[i] * (u[j] * w[k] - u[k] * w[j]);
+    }
+    z[0] = xi / det;
+    z[1] = eta / det;
+}
+
 /* ---- tests ---- */
 
 static void fail_on(const struct triangle *t, const char *what, const float loc[2])
@@ -142,6 +161,32 @@ static void promises_hold(void **state)
         print_message("# %s: %.2f %% proved, %.2f %% of the closest points\n", names[family],
                       100. * (double)proved / (double)n, 100. * (double)near / (double)answers);
         assert_true(100 * proved >= least[family][0] * n && 100 * near >= least[family][1] * answers);
+    }
+}
+
+/* Checks that _along returns FOOTPOINT_OK only near the point of the line. */
+static void lines_meet_triangles(void **state)
+{
+    const long n = long_cases(CASES, CASES_LONG);
+    (void)state;
+    for (int family = 0; family < FAMILIES; family++) {
+        uint64_t stream = (uint64_t)family + 20;
+        long proved = 0;
+        for (long k = 0; k < n; k++) {
+            const struct triangle t = draw((enum family)family, &stream);
+            const float along[3] = {(float)draw_flat(&stream, -1, 1), (float)draw_flat(&stream, -1, 1),
+                                    (float)draw_flat(&stream, -1, 1)};
+            float loc[2], dist;
+            wide z[2];
+            if (footpoint_tri3_float_along(t.x[0], t.x[1], t.x[2], t.x[3], along, loc, &dist) != FOOTPOINT_OK)
+                continue;
+            proved++;
+            find_meeting(&t, along, z);
+            if (!is_near(z, loc, (double)FOOTPOINT_ALONG_PROMISE_F))
+                fail_on(&t, "along a line", loc);
+        }
+        print_message("# %s: %.2f %% of lines proved\n", names[family], 100. * (double)proved / (double)n);
+        assert_true(family > 0 || 20 * proved > n); /* most lines miss the triangle */
     }
 }
 
@@ -186,6 +231,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(promises_hold),
+        cmocka_unit_test(lines_meet_triangles),
         cmocka_unit_test(arrays_match_calls),
     };
     return cmocka_run_group_tests_name("float promises of plane triangles", tests, NULL, NULL);
