@@ -1,8 +1,7 @@
-/* The promise of closest points of four-node faces. FOOTPOINT_OK means that the closest point of the closed face,
- * including edges and corners, lies within NAME_PROMISE of xi and eta, in the returned region. The judge bounds
- * distances to lines of constant eta, interval by interval, until no point can be nearer than its own, then takes
- * Newton's steps in quadruple precision, and shares no code with the judged functions. Some of each family; 80,000 with
- * FOOTPOINT_LONG, which prints shares of proofs. */
+/* FOOTPOINT_OK of closest points of four-node faces means that the closest point, edges and corners included, lies within
+ * NAME_PROMISE of xi and eta, in the returned region. The judge bounds distances to lines of constant eta, interval by
+ * interval, then takes Newton's steps in quadruple precision; it shares no code with the judged functions. Some of each
+ * family; 80,000 with FOOTPOINT_LONG, which prints shares of proofs. */
 #include "../../generated/footpoint_plane_quad4.h"
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_rectangle_quad4.h"

@@ -130,9 +130,9 @@ static void check(const struct mesh *m, uint64_t *stream, int far)
     int region;
     const int side = draw(m, stream, far, xS);
     const double least = search_all(m, xS, all), within = 1e-9 * fmax(1.0, least);
-    assert_int_equal(
-        footpoint_face_select(m->kind, m->xyz, (size_t)m->faces, m->seg, xS, &chosen, loc, &distance, &region),
-        FOOTPOINT_OK);
+    const int status =
+        footpoint_face_select(m->kind, m->xyz, (size_t)m->faces, m->seg, xS, &chosen, loc, &distance, &region);
+    assert_true(status == FOOTPOINT_OK || status == FOOTPOINT_NOT_UNIQUE); /* two points of a face may be as near */
     if (!(fabs(fabs(distance) - least) <= within) || !(all[chosen] - least <= within) || side * distance < 0.0)
         fail_msg("kind %d, slave node %a %a %a: face %zu, distance %.17g, not %.17g, side %d", m->kind, xS[0], xS[1],
                  xS[2], chosen, distance, least, side);
