@@ -95,3 +95,30 @@ int main(void)
 END
 $CC -std=c99 -O1 "$work/t.c" -o "$work/t" -lm && "$work/t"
 report $((! $?)) 'its answers are proved'
+
+# A point almost as near to AC as to AB. Parts of -ffast-math, of which clang announces none, would prove AC.
+cat > "$work/t.c" <<'END'
+#include "t.h"
+int main(void)
+{
+    static const volatile float at[12] = {-0x1.3cc996p-1f, -0x1.78df46p-1f, -0x1.d57424p-1f, -0x1.2dfab4p-2f,
+                                          -0x1.78d05ap-1f, -0x1.d294p-3f,   -0x1.2de046p-2f, -0x1.78c212p-1f,
+                                          -0x1.d26422p-3f, -0x1.1684f6p+0f, -0x1.df2f24p-2f, -0x1.35ea58p-1f};
+    float x[4][3], loc[2] = {0, 0}, dist;
+    int region;
+    for (int k = 0; k < 12; k++)
+        x[k / 3][k % 3] = at[k];
+    return t_g_closest(x[0], x[1], x[2], x[3], loc, &dist, &region) == FOOTPOINT_OK && loc[0] == 0;
+}
+END
+clang -std=c99 -O1 -ffast-math -fno-finite-math-only "$work/t.c" -o "$work/t" -lm && "$work/t"
+report $((! $?)) 'headers ignore -ffast-math if clang does not announce it'
+loose='-fassociative-math -fno-signed-zeros -fno-trapping-math'
+# shellcheck disable=SC2086
+clang -std=c99 -O1 -c "$work/t.c" -o "$work/t.o" && clang -std=c99 -O1 $loose -freciprocal-math -c "$work/t.c" -o "$work/loose.o" &&
+    cmp "$work/t.o" "$work/loose.o"
+report $((! $?)) 'parts of -ffast-math do not change object code of clang'
+printf '%s\n' '#include "t.h"' '#if !FOOTPOINT_LOOSE' '#error proofs' '#endif' > "$work/t.c"
+# shellcheck disable=SC2086
+gcc -fsyntax-only $loose "$work/t.c" && gcc -fsyntax-only -freciprocal-math "$work/t.c"
+report $((! $?)) 'nothing is proved under parts of -ffast-math that gcc announces'

@@ -158,7 +158,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
         for name in $files; do echo "#include \"$PWD/$folder/edge/$name.h\""; done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in contract_edge contract_edge_place contract_edge_along contract_edge_turns contract contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place; do template "$name"; done
+    for name in contract_edge contract_edge_place contract_edge_along contract_edge_turns contract contract_closest_promise contract_closest_linear contract_patch contract_promise contract_box contract_from contract_place ending; do template "$name"; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

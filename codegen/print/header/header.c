@@ -142,5 +142,6 @@ void header_print(const struct unit *u, FILE *out)
     }
     if (!u->file->face)
         along_print(u, out);
+    templates_print(NULL, (const char *const[]){"ending", NULL}, u->options.precision, NULL, out);
     fputs("\n#endif\n", out);
 }

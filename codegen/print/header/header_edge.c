@@ -119,6 +119,7 @@ void edge_print(const struct edge_kind *k, const char *prefix, enum precision pr
     templates_print(NULL, (const char *const[]){"contract_edge_along", "edge_along", NULL}, precision, w.word, out);
     if (precision == PRECISION_DOUBLE)
         templates_print(NULL, (const char *const[]){"contract_edge_turns", "edge_turns", NULL}, precision, w.word, out);
+    templates_print(NULL, (const char *const[]){"ending", NULL}, precision, NULL, out);
     fputs("\n#endif\n", out);
     words_clear(&w);
     words_clear(&about);

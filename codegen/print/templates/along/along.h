@@ -38,14 +38,10 @@ FOOTPOINT_PART REAL footpoint_detail_manhattan(const REAL a[3])
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-/* Returns the status of a proved point on the face: proofs do not hold if compilers may reorder sums. */
+/* Returns the status of a proved point on the face: nothing is proved if the compiler may change results. */
 FOOTPOINT_PART int footpoint_detail_met(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return FOOTPOINT_UNPROVED;
-#else
-    return FOOTPOINT_OK;
-#endif
+    return FOOTPOINT_LOOSE ? FOOTPOINT_UNPROVED : FOOTPOINT_OK;
 }
 
 /* Scales the direction to a length of about 1. Returns FOOTPOINT_ERR_DEGENERATE if it has no length. */

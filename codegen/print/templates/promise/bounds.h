@@ -1,13 +1,9 @@
 /* Bounds that all proofs use. */
 
-/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
+/* Returns its highest bit set if the compiler may change results, in which case nothing is proved. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_fast(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (REAL_BITS)1 << REAL_TOP;
-#else
-    return 0;
-#endif
+    return (REAL_BITS)FOOTPOINT_LOOSE << REAL_TOP;
 }
 
 /* Returns the greater number; a comparison with NaN raises no exception. */

@@ -1,13 +1,9 @@
 /* Proved answers of plane triangles, from any search. */
 
-/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
+/* Returns its highest bit set if the compiler may change results, in which case nothing is proved. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_fast(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (REAL_BITS)1 << REAL_TOP;
-#else
-    return 0;
-#endif
+    return (REAL_BITS)FOOTPOINT_LOOSE << REAL_TOP;
 }
 
 /* Takes a Newton step from (xi,eta) to the foot point of a plane triangle, which it reaches up to rounding. The highest
