@@ -143,6 +143,8 @@ $(call object,$(evolve_mpi)): private CFLAGS += $(CFLAGS_mpi)
 $(call object,$(filter-out evolve/eval/% evolve/fit/% %/evaluate_lanes.c %/sampled_errors.c,$(codegen_lib) $(evolve_lib))): private CFLAGS += $(TOOL_OPT_$(CONFIG))
 # One object for the archive and the shared library.
 $(call object,$(runtime_lib)): private CFLAGS += -fPIC -fno-semantic-interposition
+# Proofs need sums and quotients as they stand. certain/ieee.h refuses flags that compilers announce; clang hides these.
+$(call object,$(filter runtime/certain/%,$(runtime_lib)) $(ccx_lib)): private CFLAGS += -fno-associative-math -fno-reciprocal-math
 # Tests call what is optimised; they themselves need not be.
 $(call object,$(test_main)): private CFLAGS += $(TEST_OPT_$(CONFIG))
 
