@@ -7,9 +7,12 @@ FOOTPOINT_PART REAL SLOPES_detail_size(const REAL *const *x, const REAL loc[2])
     REAL size = 0.0;
     int i, k;
     FOOTPOINT_UNROLL
-    for (k = 1; k < NODES; k++)
+    for (k = 1; k < NODES; k++) {
+        REAL edge[3];
         for (i = 0; i < 3; i++)
-            size += (x[k][i] - x[0][i]) * (x[k][i] - x[0][i]);
+            edge[i] = x[k][i] - x[0][i];
+        size += footpoint_detail_dot(edge, edge);
+    }
     return growth * size;
 }
 
@@ -38,11 +41,13 @@ FOOTPOINT_PART REAL_BITS SLOPES_detail(const REAL *const *x, const REAL along[3]
     return flaw;
 }
 
-/* Repeats it in a unit of length in which the face is about 1 long. */
-FOOTPOINT_COLD int SLOPES_detail_again(const REAL *const *x, const REAL along[3], const REAL loc[2],
-                                       REAL *const *row)
+/* Repeats it in a unit of length in which the face is about 1 long. Callers' arrays of pointers stay in registers, as
+ * none is passed. */
+FOOTPOINT_COLD int SLOPES_detail_again(NODE_PARAMETERS, const REAL along[3], const REAL loc[2],
+                                       REAL *dist, REAL *d_xi, REAL *d_eta, REAL *d_dist)
 {
-    const REAL *y[VECTORS];
+    const REAL *const x[VECTORS] = {NODE_NAMES}, *y[VECTORS];
+    REAL *const row[4] = {dist, d_xi, d_eta, d_dist};
     REAL phi[NODES] = {0.0}, a[3] = {0.0}, b[3] = {0.0}, z[VECTORS][3], q[3], over;
     REAL *const found[ROW_COUNT] = {phi, 0, 0, a, b};
     int exponent = 0, status = footpoint_detail_scale(x, NODES, VECTORS, z, &exponent), k;
@@ -75,6 +80,6 @@ FOOTPOINT_FN int SLOPES(NODE_PARAMETERS, const REAL along[3], const REAL loc[2],
     const REAL *const x[VECTORS] = {NODE_NAMES};
     REAL *const row[4] = {dist, d_xi, d_eta, d_dist};
     if (SLOPES_detail(x, along, loc, 0, row) >> REAL_TOP)
-        return SLOPES_detail_again(x, along, loc, row);
+        return SLOPES_detail_again(NODE_NAMES, along, loc, dist, d_xi, d_eta, d_dist);
     return FOOTPOINT_OK;
 }

@@ -10,6 +10,6 @@ FOOTPOINT_FN int JOINED_SLOPES(NODE_PARAMETERS, const REAL along[3], REAL loc[2]
     const int searched = PROJECTION(NODE_NAMES, along, loc, dist);
     int status = searched;
     if (searched >= 0 && SLOPES_detail(x, along, loc, dist, row) >> REAL_TOP)
-        status = SLOPES_detail_again(x, along, loc, row);
+        status = SLOPES_detail_again(NODE_NAMES, along, loc, 0, d_xi, d_eta, d_dist);
     return status < 0 ? status : searched;
 }
