@@ -147,10 +147,10 @@ size_t footpoint_face_robust_pairs(enum footpoint_face face, size_t n, const dou
  *                      side of a closed surface if all faces at that edge or corner are candidates.  A call takes a single
  *                      kind of face; in a mesh of several kinds the side is the candidates'.  Nodes with equal coordinates
  *                      are the same node.
- *  @return FOOTPOINT_OK; with all written FOOTPOINT_NOT_UNIQUE (another point of the chosen face is as near) and
- *          FOOTPOINT_UNPROVED (the nearest point found; a nearer one is not excluded).  Faces without an answer or an area are
- *          skipped.  If no face has an answer, the status is the last face's, or FOOTPOINT_ERR_DOMAIN if there are no
- *          candidates */
+ *  @return FOOTPOINT_OK; with all written FOOTPOINT_NOT_UNIQUE (another point of the chosen face is as near, as in
+ *          footpoint_face_robust) and FOOTPOINT_UNPROVED (the nearest point found; a nearer one is not excluded).  Faces without
+ *          an answer or an area are skipped.  If no face has an answer, the status is the last face's, or FOOTPOINT_ERR_DOMAIN
+ *          if there are no candidates */
 int footpoint_face_select(enum footpoint_face face, const double *xyz, size_t candidates, const int *seg,
                           const double xS[3], size_t *chosen, double loc[2], double *distance, int *region);
 

@@ -1,13 +1,16 @@
 /* footpoint_face_select over closed meshes of each kind: face, distance and side are those that footpoint_face_robust
  * finds among all faces. The mesh is a cube of N x N faces per side (triangles: twice as many), projected onto a sphere
  * with dents. Slave nodes lie on normals of the faces, up to an edge or about 100 edges away, so their side is known.
- * FOOTPOINT_LONG=1: a million. */
+ * FOOTPOINT_NOT_UNIQUE is accepted only if quadruple precision finds two points as near on the face. FOOTPOINT_LONG=1: a
+ * million. */
 #include "../../runtime/footpoint_face.h"
 #include "../support/long_cases.h"
+#include "../support/quad_precision.h"
 
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -123,6 +126,59 @@ static double search_all(const struct mesh *m, const double xS[3], double *dista
     return least;
 }
 
+/* Returns the squared distance at z of the four-node face y, whose fifth point is the slave node; d: the difference. */
+static quadruple square_at(const struct exact_face *f, const quadruple *y, const quadruple z[2], quadruple d[3])
+{
+    quadruple normal[3];
+    exact_point(f, y, z[0], z[1], d, normal);
+    for (int i = 0; i < 3; i++)
+        d[i] -= y[12 + i];
+    return exact_dot(d, d);
+}
+
+/* Returns the derivative at z by z[i], in which the square is of degree 2, and half its second derivative. */
+static quadruple slope_at(const struct exact_face *f, const quadruple *y, const quadruple z[2], int i, quadruple *bend)
+{
+    quadruple d[3], to[2] = {z[0], z[1]}, square[3];
+    for (int k = -1; k <= 1; k++) {
+        to[i] = z[i] + k;
+        square[k + 1] = square_at(f, y, to, d);
+    }
+    *bend = (square[0] + square[2]) / 2 - square[1];
+    return (square[2] - square[0]) / 2;
+}
+
+/* Finds the nearest point of edge z[i] = side. Returns true if the face rises from there, to first order. */
+static bool is_least(const struct exact_face *f, const quadruple *y, int i, int side, quadruple d[3], double *distance)
+{
+    quadruple z[2] = {i ? 0 : side, i ? side : 0}, bend;
+    const quadruple slope = slope_at(f, y, z, !i, &bend), t = -slope / (2 * bend);
+    z[!i] = t < -1 ? -1 : t > 1 ? 1 : t;
+    *distance = sqrt((double)square_at(f, y, z, d));
+    return -side * slope_at(f, y, z, i, &bend) >= 0;
+}
+
+/* Returns true if the nearest points of two edges, from which a four-node face rises, differ and are both as near as
+ * `least` to the 1e-10 of an edge that footpoint_robust promises. */
+static bool has_tie(const struct mesh *m, size_t face, const double xS[3], double least)
+{
+    const struct exact_face f = exact_face_of(4);
+    double x[3 * (MOST + 1)], distance;
+    quadruple y[15], d[4][3];
+    int tied = 0;
+    gather(m, (int)face, xS, x);
+    for (int i = 0; i < 15; i++)
+        y[i] = x[i];
+    for (int k = 0; k < 4; k++)
+        if (is_least(&f, y, k % 2, k < 2 ? -1 : 1, d[tied], &distance) && fabs(distance - least) <= 1e-10)
+            tied++;
+    for (int k = 1; k < tied; k++)
+        for (int i = 0; i < 3; i++)
+            if (fabs((double)(d[k][i] - d[0][i])) > 1e-9)
+                return true;
+    return false;
+}
+
 static void check(const struct mesh *m, uint64_t *stream, int far)
 {
     double xS[3] = {0.0, 0.0, 0.0}, all[FACES], loc[2], distance;
@@ -132,7 +188,8 @@ static void check(const struct mesh *m, uint64_t *stream, int far)
     const double least = search_all(m, xS, all), within = 1e-9 * fmax(1.0, least);
     const int status =
         footpoint_face_select(m->kind, m->xyz, (size_t)m->faces, m->seg, xS, &chosen, loc, &distance, &region);
-    assert_true(status == FOOTPOINT_OK || status == FOOTPOINT_NOT_UNIQUE); /* two points of a face may be as near */
+    if (status != FOOTPOINT_NOT_UNIQUE || m->kind != FOOTPOINT_QUAD4 || !has_tie(m, chosen, xS, fabs(distance)))
+        assert_int_equal(status, FOOTPOINT_OK);
     if (!(fabs(fabs(distance) - least) <= within) || !(all[chosen] - least <= within) || side * distance < 0.0)
         fail_msg("kind %d, slave node %a %a %a: face %zu, distance %.17g, not %.17g, side %d", m->kind, xS[0], xS[1],
                  xS[2], chosen, distance, least, side);
@@ -151,8 +208,25 @@ static void nearest_faces_are_those_of_brute_force(void **state)
     }
 }
 
+/* Nearest points of both edges at a corner lie 1e-5 from it, and their distances of 85 edges differ by 1.3e-12. */
+static void two_points_as_near_are_not_unique(void **state)
+{
+    static struct mesh m;
+    const double xS[3] = {0x1.177bc8d3792dbp+4, 0x1.497fbe947a8aap+6, -0x1.598a2e84036d6p+4};
+    double loc[2], distance;
+    size_t chosen;
+    int region;
+    (void)state;
+    make_mesh(&m, FOOTPOINT_QUAD4);
+    assert_int_equal(footpoint_face_select(m.kind, m.xyz, (size_t)m.faces, m.seg, xS, &chosen, loc, &distance, &region),
+                     FOOTPOINT_NOT_UNIQUE);
+    assert_true(has_tie(&m, chosen, xS, distance));
+    assert_false(has_tie(&m, chosen, m.xyz + 12 * chosen, 0.0));
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(nearest_faces_are_those_of_brute_force)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(nearest_faces_are_those_of_brute_force),
+                                       cmocka_unit_test(two_points_as_near_are_not_unique)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
