@@ -1,4 +1,4 @@
-/* For comparison: the foot point by Newton's iteration from the last answer, on faces of any kind. */
+/* For comparison: the foot point by Newton's iteration from the last answer, on faces and edges of any kind. */
 #ifndef LAST_NEWTON_H
 #define LAST_NEWTON_H
 
@@ -19,8 +19,28 @@ static void shapes_of_quad4(double xi, double eta, double phi[24])
     }
 }
 
-static void (*const shapes_of[FOOTPOINT_FACES])(double, double, double *) = {
-    footpoint_tri3_shape, footpoint_tri6_shape, shapes_of_quad4, footpoint_quad8_shape, footpoint_quad9_shape};
+static void shapes_of_edge2(double xi, double eta, double phi[12])
+{
+    const double all[4] = {0.5 - 0.5 * xi, 0.5 + 0.5 * xi, -0.5, 0.5};
+    (void)eta;
+    memset(phi, 0, 12 * sizeof *phi);
+    memcpy(phi, all, sizeof all);
+}
+
+static void shapes_of_edge3(double xi, double eta, double phi[18])
+{
+    const double first[6] = {
+        0.5 * xi * (xi - 1.0), 0.5 * xi * (xi + 1.0), 1.0 - xi * xi, xi - 0.5, xi + 0.5, -2.0 * xi};
+    const double second[3] = {1.0, 1.0, -2.0};
+    (void)eta;
+    memset(phi, 0, 18 * sizeof *phi);
+    memcpy(phi, first, sizeof first);
+    memcpy(phi + 9, second, sizeof second);
+}
+
+static void (*const shapes_of[FOOTPOINT_EDGE3 + 1])(double, double, double *) = {
+    footpoint_tri3_shape, footpoint_tri6_shape, shapes_of_quad4, footpoint_quad8_shape, footpoint_quad9_shape, NULL,
+    shapes_of_edge2,      shapes_of_edge3};
 
 /* Computes a step from loc: the `move` of (xi,eta), and the gap before it. */
 static void newton_step(enum footpoint_face kind, const double *y, const double loc[2], double move[2], double *gap)
@@ -32,6 +52,7 @@ static void newton_step(enum footpoint_face kind, const double *y, const double 
     for (int i = 0; i < 6; i++)
         for (int k = 0; k < 3 * nodes; k++)
             r[i][k % 3] += phi[nodes * i + k / 3] * y[k];
+    r[2][2] += kind > FOOTPOINT_FACES; /* edges have r_eta = (0, 0, 1) */
     for (int k = 0; k < 3; k++)
         r[0][k] = y[3 * nodes + k] - r[0][k];
     const double aa = along(r[1], r[1]) - along(r[0], r[3]), ab = along(r[1], r[2]) - along(r[0], r[4]);

@@ -7,7 +7,7 @@
  * Prints for each step how far the upper block's top has moved down and along, the contact force on the block (pressing
  * and drawing, N), how many slave nodes touch, how many of these slide, and the residuals of Newton's iterations: the
  * norm of the unbalanced forces, relative to the norm of the forces at the block's top. Without KIND, also prints for
- * each kind of face, with friction, how long local search takes from scratch, from the last answers, and by Newton's
+ * each kind, with friction, how long local search takes from scratch, from the last answers, and by Newton's
  * iteration from these.
  *
  *   make -C ../.. runtime
@@ -195,7 +195,7 @@ int main(int argc, char **argv)
         good = press(kind, friction, footpoint_track, NULL) && good;
         if (argc < 3)
             good = press(kind, FRICTION, footpoint_track, NULL) && good;
-        if (argc < 2 && kind < FOOTPOINT_FACES)
+        if (argc < 2)
             good = compare(kind) && good;
     }
     return found ? !good : usage();
