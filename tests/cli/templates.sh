@@ -51,7 +51,8 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
         gregory) files="$files patch_gregory patch_newton patch_proof patch_repair patch_from" ;;
         esac
         case $kind in
-        quad4) files="$files arrays over quad4_block:double quad4_side:double quad4_run:arrays_checked" ;;
+        quad4) files="$files arrays over side_root:double quad4_block:double side_correct:double quad4_side:double quad4_pass:double side_run:arrays_checked" ;;
+        tri6 | quad8 | quad9) files="$files arrays over side_root:double curved_block:double side_correct:double curved_side:double curved_pass:double side_run:arrays_checked" ;;
         *) files="$files arrays arrays_checked over" ;;
         esac
         case $kind in
@@ -118,7 +119,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
             case $kind in bezier | gregory) ;; *) echo "REAL_BITS footpoint_detail_${kind}_patch(const REAL *const *x, REAL promise, int bare, int near, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
             echo "void ${kind}_run(const void *begin, int bare, footpoint_detail_search *search, const REAL *const *segment, size_t n, const REAL *const *x, REAL promise, REAL *xi, REAL *eta, REAL *gap, int *status);"
             case $kind in
-            quad4) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' 'LANE_TOP REAL_TOP' 'BLOCK footpoint_detail_quad4_block' 'SIDE footpoint_detail_quad4_side' ;;
+            quad4 | tri6 | quad8 | quad9) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' 'LANE_TOP REAL_TOP' "BLOCK footpoint_detail_${kind}_block" "SIDE footpoint_detail_${kind}_side" ;;
             *_lanes) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' "BLOCK ${kind}_block" "NARROW ${kind}_narrow" 'ALONE_SEARCH footpoint_detail_search' "ALONE_ANSWER footpoint_detail_${kind%_lanes}_answer" "ALONE_FURTHER footpoint_detail_${kind%_lanes}_further" ;;
             esac
             printf '#define %s\n' "RUN ${kind}_run" 'START_BEGIN NULL'

@@ -19,6 +19,7 @@ codegen/print/templates/closest:
 codegen/print/templates/curved_closest:
 codegen/print/templates/along:
 codegen/print/templates/promise:
+codegen/print/templates/side:
 codegen/print/templates/single:
 codegen/print/templates/patch:
 codegen/print/templates/triangle:

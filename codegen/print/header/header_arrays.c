@@ -15,18 +15,30 @@ static bool prepares(const struct unit *u)
     return u->file->order == CORNERS_ANY;
 }
 
-/* Whether loops search pairs side by side, partly in single precision. */
+/* Returns true if loops search pairs side by side, partly in single precision. */
 static bool is_side_by_side(const struct unit *u)
 {
-    return promise_kind_of(u) == PROMISE_BILINEAR && u->options.precision == PRECISION_DOUBLE;
+    const enum promise_kind kind = promise_kind_of(u);
+    return (kind == PROMISE_BILINEAR || kind == PROMISE_CURVED) && u->options.precision == PRECISION_DOUBLE;
+}
+
+/* Prints a template of such loops. */
+static void print_part(const char *kind, const char *name, enum precision precision, const struct words *w, FILE *out)
+{
+    char *guard = new_format("FOOTPOINT_%s_%s", kind, name);
+    templates_print(guard, (const char *const[]){name, NULL}, precision, w->word, out);
+    free(guard);
 }
 
 /* Prints the parts of loops that search pairs side by side. */
 static void print_side_by_side(const struct unit *u, FILE *out)
 {
-    static const char *const common[][2] = {{"BITS", "bits"}, {"PRODUCTS", "products"}, {"BOUNDS", "bounds"}};
-    static const char *const part[] = {"block", "side", "run"};
-    const char *const kind = u->file->segment->name;
+    static const char *const common[][2] = {
+        {"BITS", "bits"}, {"PRODUCTS", "products"}, {"BOUNDS", "bounds"}, {"LOCAL", "curved_local"}};
+    static const char *const parts[2][4] = {{"quad4_block", "quad4_side", "quad4_pass"},
+                                            {"curved_block", "curved_side", "curved_pass"}};
+    const bool curved = promise_kind_of(u) == PROMISE_CURVED;
+    const char *const kind = u->file->segment->name, *const *part = parts[curved];
     struct words w = lines_words(u, NULL, NULL);
     words_add(&w, "BLOCK", new_format("footpoint_detail_%s_block", kind));
     words_add(&w, "SIDE", new_format("footpoint_detail_%s_side", kind));
@@ -34,18 +46,19 @@ static void print_side_by_side(const struct unit *u, FILE *out)
     words_add(&w, "LANE", new_format("float"));
     words_add(&w, "LANE_BITS", new_format("unsigned int"));
     words_add(&w, "LANE_TOP", new_format("31"));
-    for (size_t i = 0; i < sizeof common / sizeof *common; i++) {
+    for (size_t i = 0; i < 3 + (size_t)curved; i++) {
         char *guard = new_format("FOOTPOINT_DETAIL_%s", common[i][0]);
         templates_print(guard, (const char *const[]){common[i][1], NULL}, PRECISION_FLOAT, NULL, out);
         free(guard);
     }
-    for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
-        char *guard = new_format("FOOTPOINT_%s_%s", kind, part[i]), *name = new_format("%s_%s", kind, part[i]);
-        templates_print(guard, (const char *const[]){name, NULL}, i == 1 ? PRECISION_FLOAT : PRECISION_DOUBLE, w.word,
-                        out);
-        free(name);
-        free(guard);
-    }
+    if (curved)
+        promise_print_terms(u, PRECISION_FLOAT, out);
+    print_part(kind, "side_root", PRECISION_DOUBLE, &w, out);
+    print_part(kind, part[0], PRECISION_DOUBLE, &w, out);
+    print_part(kind, "side_correct", PRECISION_FLOAT, &w, out);
+    print_part(kind, part[1], PRECISION_FLOAT, &w, out);
+    print_part(kind, part[2], PRECISION_DOUBLE, &w, out);
+    print_part(kind, "side_run", PRECISION_DOUBLE, &w, out);
     words_clear(&w);
 }
 

@@ -39,23 +39,25 @@ static void print_answers(const struct unit *u, FILE *out)
     const bool curved = promise == PROMISE_CURVED, patch = promise == PROMISE_PATCH;
     const bool single = precision == PRECISION_FLOAT;
     const char *const step = single ? "quad4_vector_step" : "quad4_step";
-    char *terms = new_format("%s_%s", patch ? "patch" : "curved", u->file->segment->name);
+    char *terms = new_format("patch_%s", u->file->segment->name);
     char *errors = new_format("single_%s", u->file->segment->name);
     if (patch)
         templates_print("FOOTPOINT_DETAIL_PRODUCTS", (const char *const[]){"products", NULL}, precision, NULL, out);
     if (bilinear || curved || patch)
         templates_print("FOOTPOINT_DETAIL_BOUNDS", (const char *const[]){"bounds", NULL}, precision, NULL, out);
     if (curved || patch)
-        templates_print("FOOTPOINT_DETAIL_LOCAL", (const char *const[]){"curved_local", single ? "norm" : NULL, NULL},
-                        precision, NULL, out);
+        templates_print("FOOTPOINT_DETAIL_LOCAL", (const char *const[]){"curved_local", NULL}, precision, NULL, out);
+    if (curved && single)
+        templates_print("FOOTPOINT_DETAIL_NORM", (const char *const[]){"norm", NULL}, precision, NULL, out);
     if (patch)
         templates_print("FOOTPOINT_DETAIL_NET", (const char *const[]){"patch_net", NULL}, precision, NULL, out);
+    if (curved)
+        promise_print_terms(u, precision, out);
     lines_print_templates(
         u, "ANSWER",
-        curved && single ? (const char *const[]){terms, errors, "curved_start", "curved_single", "curved_proof",
-                                                 "curved_repair", "answer_proved", NULL}
-        : curved         ? (const char *const[]){terms, "curved_start", "curved_step", "curved_proof", "curved_repair",
+        curved && single ? (const char *const[]){errors, "curved_single", "curved_proof", "curved_repair",
                                                  "answer_proved", NULL}
+        : curved ? (const char *const[]){"curved_step", "curved_proof", "curved_repair", "answer_proved", NULL}
         : patch          ? (const char *const[]){terms, "patch_newton", "patch_proof", "patch_repair", NULL}
         : bilinear ? (const char *const[]){"quad4_proof", step, "quad4_steps", "quad4_repair", "answer_proved", NULL}
         : promise == PROMISE_LINEAR ? (const char *const[]){"tri3_answer", NULL}

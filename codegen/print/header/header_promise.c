@@ -231,6 +231,17 @@ struct words promise_words(const struct unit *u, const struct function *f)
     return w;
 }
 
+void promise_print_terms(const struct unit *u, enum precision precision, FILE *out)
+{
+    struct words w = lines_words(u, NULL, NULL);
+    char *guard = new_format("FOOTPOINT_%s_TERMS", u->file->segment->name);
+    char *terms = new_format("curved_%s", u->file->segment->name);
+    templates_print(guard, (const char *const[]){terms, "curved_start", NULL}, precision, w.word, out);
+    free(terms);
+    free(guard);
+    words_clear(&w);
+}
+
 static char *products_text(const struct unit *u, const struct vectors_found *w, struct printer *r)
 {
     struct memory *m = memory_open();

@@ -28,6 +28,9 @@ double promise_of(const struct unit *u, const struct function *f);
 /** Prints the definition of the macro NAME_PROMISE if there is a proof. */
 void promise_define(const struct unit *u, const struct function *f, FILE *out);
 
+/** Prints a curved face as a polynomial, in a precision, and starts of steps on it. */
+void promise_print_terms(const struct unit *u, enum precision precision, FILE *out);
+
 /** Returns the function that starts NAME, itself or a cheaper one; proved steps follow. */
 const struct function *promise_start(const struct unit *u, const struct function *f);
 

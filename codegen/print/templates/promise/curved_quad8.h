@@ -6,28 +6,25 @@ typedef struct {
     REAL e[3], f[3], a[3], b[3], c[3], g[3], h[3], d[3], size;
 } footpoint_detail_quad8_terms;
 
-FOOTPOINT_PART void footpoint_detail_quad8_expand(const REAL *const *x,
-                                                  footpoint_detail_quad8_terms *t)
+/* Computes coordinate i of the terms from that of the nodes. Returns its part of the square of `size`. */
+FOOTPOINT_PART REAL footpoint_detail_quad8_axis(const REAL x[VECTORS], int i,
+                                                footpoint_detail_quad8_terms *t)
 {
-    REAL squares = 0.0;
-    int i;
-    FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        const REAL ae = x[0][i] - x[4][i], be = x[1][i] - x[4][i], bf = x[1][i] - x[5][i];
-        const REAL cf = x[2][i] - x[5][i], cg = x[2][i] - x[6][i], dg = x[3][i] - x[6][i];
-        const REAL dh = x[3][i] - x[7][i], ah = x[0][i] - x[7][i];
-        const REAL ab = ae + be, bc = bf + cf, cd = cg + dg, da = dh + ah;
-        t->e[i] = 0.5 * (x[5][i] - x[7][i]);
-        t->f[i] = 0.5 * (x[6][i] - x[4][i]);
-        t->a[i] = 0.5 * (ab + cd);
-        t->b[i] = 0.25 * ((x[0][i] - x[1][i]) + (x[2][i] - x[3][i]));
-        t->c[i] = 0.5 * (bc + da);
-        t->g[i] = 0.5 * (cd - ab);
-        t->h[i] = 0.5 * (bc - da);
-        t->d[i] = 0.5 * ((x[8][i] - x[5][i]) + (x[8][i] - x[7][i]) + t->a[i]);
-        squares += ae * ae + be * be + bf * bf + cf * cf + cg * cg + dg * dg + dh * dh + ah * ah;
-    }
-    t->size = sqrt(squares);
+
+    const REAL ae = x[0] - x[4], be = x[1] - x[4], bf = x[1] - x[5];
+    const REAL cf = x[2] - x[5], cg = x[2] - x[6], dg = x[3] - x[6];
+    const REAL dh = x[3] - x[7], ah = x[0] - x[7];
+    const REAL ab = ae + be, bc = bf + cf, cd = cg + dg, da = dh + ah;
+    t->e[i] = 0.5 * (x[5] - x[7]);
+    t->f[i] = 0.5 * (x[6] - x[4]);
+    t->a[i] = 0.5 * (ab + cd);
+    t->b[i] = 0.25 * ((x[0] - x[1]) + (x[2] - x[3]));
+    t->c[i] = 0.5 * (bc + da);
+    t->g[i] = 0.5 * (cd - ab);
+    t->h[i] = 0.5 * (bc - da);
+    t->d[i] = 0.5 * ((x[8] - x[5]) + (x[8] - x[7]) + t->a[i]);
+
+    return ae * ae + be * be + bf * bf + cf * cf + cg * cg + dg * dg + dh * dh + ah * ah;
 }
 
 /* Computes r - r0 - p e - q f at (p,q), from the middle. */

@@ -7,31 +7,28 @@ typedef struct {
     REAL e[3], f[3], a[3], b[3], c[3], g[3], h[3], k[3], d[3], size;
 } footpoint_detail_quad9_terms;
 
-FOOTPOINT_PART void footpoint_detail_quad9_expand(const REAL *const *x,
-                                                  footpoint_detail_quad9_terms *t)
+/* Computes coordinate i of the terms from that of the nodes. Returns its part of the square of `size`. */
+FOOTPOINT_PART REAL footpoint_detail_quad9_axis(const REAL x[VECTORS], int i,
+                                                footpoint_detail_quad9_terms *t)
 {
-    REAL squares = 0.0;
-    int i;
-    FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        const REAL ae = x[0][i] - x[4][i], be = x[1][i] - x[4][i], bf = x[1][i] - x[5][i];
-        const REAL cf = x[2][i] - x[5][i], cg = x[2][i] - x[6][i], dg = x[3][i] - x[6][i];
-        const REAL dh = x[3][i] - x[7][i], ah = x[0][i] - x[7][i];
-        const REAL em = x[4][i] - x[8][i], fm = x[5][i] - x[8][i], gm = x[6][i] - x[8][i];
-        const REAL hm = x[7][i] - x[8][i], ab = ae + be, bc = bf + cf, cd = cg + dg, da = dh + ah;
-        t->e[i] = 0.5 * (x[5][i] - x[7][i]);
-        t->f[i] = 0.5 * (x[6][i] - x[4][i]);
-        t->a[i] = fm + hm;
-        t->b[i] = 0.25 * ((x[0][i] - x[1][i]) + (x[2][i] - x[3][i]));
-        t->c[i] = em + gm;
-        t->g[i] = 0.5 * (cd - ab);
-        t->h[i] = 0.5 * (bc - da);
-        t->k[i] = (ab + cd) - 2.0 * t->a[i];
-        t->d[i] = x[9][i] - x[8][i];
-        squares += ae * ae + be * be + bf * bf + cf * cf + cg * cg + dg * dg + dh * dh + ah * ah;
-        squares += em * em + fm * fm + gm * gm + hm * hm;
-    }
-    t->size = sqrt(squares);
+
+    const REAL ae = x[0] - x[4], be = x[1] - x[4], bf = x[1] - x[5];
+    const REAL cf = x[2] - x[5], cg = x[2] - x[6], dg = x[3] - x[6];
+    const REAL dh = x[3] - x[7], ah = x[0] - x[7];
+    const REAL em = x[4] - x[8], fm = x[5] - x[8], gm = x[6] - x[8];
+    const REAL hm = x[7] - x[8], ab = ae + be, bc = bf + cf, cd = cg + dg, da = dh + ah;
+    t->e[i] = 0.5 * (x[5] - x[7]);
+    t->f[i] = 0.5 * (x[6] - x[4]);
+    t->a[i] = fm + hm;
+    t->b[i] = 0.25 * ((x[0] - x[1]) + (x[2] - x[3]));
+    t->c[i] = em + gm;
+    t->g[i] = 0.5 * (cd - ab);
+    t->h[i] = 0.5 * (bc - da);
+    t->k[i] = (ab + cd) - 2.0 * t->a[i];
+    t->d[i] = x[9] - x[8];
+
+    return ae * ae + be * be + bf * bf + cf * cf + cg * cg + dg * dg + dh * dh + ah * ah + em * em +
+           fm * fm + gm * gm + hm * hm;
 }
 
 /* Computes r - r0 - p e - q f at (p,q), from the middle, without k. */

@@ -6,6 +6,23 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_middle(void)
     return CORNERS == 3 ? 1.0 / 3.0 : 0.0;
 }
 
+/* Computes the terms of a face and a slave node. */
+FOOTPOINT_PART void footpoint_detail_KIND_expand(const REAL *const *x,
+                                                 footpoint_detail_KIND_terms *of)
+{
+    REAL squares = 0.0;
+    int i, k;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        REAL node[VECTORS];
+        FOOTPOINT_UNROLL
+        for (k = 0; k < VECTORS; k++)
+            node[k] = x[k][i];
+        squares += footpoint_detail_KIND_axis(node, i, of);
+    }
+    of->size = sqrt(squares);
+}
+
 /* Takes a Gauss-Newton step from the middle, less the effect of curvature along it. */
 FOOTPOINT_PART void footpoint_detail_KIND_start(const footpoint_detail_KIND_terms *of, REAL *p,
                                                 REAL *q)

@@ -7,26 +7,23 @@ typedef struct {
     REAL e[3], f[3], a[3], b[3], c[3], d[3], size;
 } footpoint_detail_tri6_terms;
 
-FOOTPOINT_PART void footpoint_detail_tri6_expand(const REAL *const *x,
-                                                 footpoint_detail_tri6_terms *t)
+/* Computes coordinate i of the terms from that of the nodes. Returns its part of the square of `size`. */
+FOOTPOINT_PART REAL footpoint_detail_tri6_axis(const REAL x[VECTORS], int i,
+                                               footpoint_detail_tri6_terms *t)
 {
     const REAL third = 1.0 / 3.0;
-    REAL squares = 0.0;
-    int i;
-    FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        const REAL ad = x[0][i] - x[3][i], bd = x[1][i] - x[3][i], ef = x[4][i] - x[5][i];
-        const REAL af = x[0][i] - x[5][i], cf = x[2][i] - x[5][i], ed = x[4][i] - x[3][i];
-        const REAL to = (x[6][i] - x[3][i]) + (x[6][i] - x[4][i]) + (x[6][i] - x[5][i]);
-        t->e[i] = third * ((x[1][i] - x[0][i]) + 4.0 * ef);
-        t->f[i] = third * ((x[2][i] - x[0][i]) + 4.0 * ed);
-        t->a[i] = 4.0 * (ad + bd);
-        t->b[i] = 4.0 * (ad + ef);
-        t->c[i] = 4.0 * (af + cf);
-        t->d[i] = third * (to + third * (ad + (x[1][i] - x[4][i]) + cf));
-        squares += ad * ad + bd * bd + ef * ef + af * af + cf * cf + ed * ed;
-    }
-    t->size = sqrt(squares);
+
+    const REAL ad = x[0] - x[3], bd = x[1] - x[3], ef = x[4] - x[5];
+    const REAL af = x[0] - x[5], cf = x[2] - x[5], ed = x[4] - x[3];
+    const REAL to = (x[6] - x[3]) + (x[6] - x[4]) + (x[6] - x[5]);
+    t->e[i] = third * ((x[1] - x[0]) + 4.0 * ef);
+    t->f[i] = third * ((x[2] - x[0]) + 4.0 * ed);
+    t->a[i] = 4.0 * (ad + bd);
+    t->b[i] = 4.0 * (ad + ef);
+    t->c[i] = 4.0 * (af + cf);
+    t->d[i] = third * (to + third * (ad + (x[1] - x[4]) + cf));
+
+    return ad * ad + bd * bd + ef * ef + af * af + cf * cf + ed * ed;
 }
 
 /* Computes r - r0 - p e - q f at (p,q), from the middle. */

@@ -1,37 +1,14 @@
-/* Pairs of four-node faces and slave nodes side by side: the loop over blocks of pairs. */
+/* Pairs of faces and slave nodes side by side: the loop over blocks of pairs. */
 
 /* Copies columns into a block that is not full, and repeats the last pair to fill it. */
 FOOTPOINT_COLD void footpoint_detail_KIND_side_fill(BLOCK *t, const double **x, int count)
 {
     int k, l;
-    for (k = 0; k < 15; k++) {
+    for (k = 0; k < COORDINATES; k++) {
         for (l = 0; l < SIDE; l++)
             t->x[k][l] = x[k][l < count ? l : count - 1];
         x[k] = t->x[k];
     }
-}
-
-/* Takes as many steps as the promise needs, or `more` from their end, and proves the last. */
-FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise, int more)
-{
-    footpoint_detail_LANES_KIND_side_products(t);
-    if (!more) {
-        footpoint_detail_LANES_KIND_side_begin(t);
-        footpoint_detail_LANES_KIND_side_gauss(t);
-    }
-    if (!more && promise > 0.99e-3) {
-        footpoint_detail_LANES_KIND_side_rough(t, (LANE)promise);
-        footpoint_detail_KIND_side_gaps(t);
-        return;
-    }
-    footpoint_detail_LANES_KIND_side_newton(t);
-    footpoint_detail_LANES_KIND_side_bounds(t);
-    if (more || promise < 0.99e-7) {
-        footpoint_detail_KIND_side_slopes(t);
-        footpoint_detail_LANES_KIND_side_corrections(t, (LANE)promise);
-    }
-    footpoint_detail_KIND_side_slopes_and_gaps(t);
-    footpoint_detail_LANES_KIND_side_corrections(t, (LANE)promise);
 }
 
 /* Stores answers. Returns an upper bound on the number of unproved answers. */
@@ -127,7 +104,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_run(footpoint_detail_search *sea
                                                     double *gap, int *status)
 {
     enum { FEW = 8 };
-    const double *column[15];
+    const double *column[COORDINATES];
     BLOCK t;
     size_t i;
     int k;
@@ -135,7 +112,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_run(footpoint_detail_search *sea
         const int count = n - i < SIDE ? (int)(n - i) : SIDE;
         double *const u = xi + i, *const v = eta + i, *const g = gap + i;
         int unproved = SIDE + 1; /* none has been searched */
-        for (k = 0; k < 15; k++)
+        for (k = 0; k < COORDINATES; k++)
             column[k] = x[k] + i;
         if (count >= FEW) {
             if (count < SIDE)

@@ -108,46 +108,6 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT
     footpoint_detail_KIND_side_step(t, 0);
 }
 
-/* Returns the greater of two numbers >= 0, or NaN. It compares bits, because vector instructions for maxima raise
- * exceptions of NaN. */
-FOOTPOINT_PART REAL footpoint_detail_KIND_side_greater(REAL a, REAL b)
-{
-    union {
-        REAL_BITS bits;
-        REAL number;
-    } most;
-    const REAL_BITS x = footpoint_detail_bits(a), y = footpoint_detail_bits(b);
-    most.bits = x > y ? x : y;
-    return most.number;
-}
-
-/* Moves the answer by A (f,g).  See footpoint_detail_KIND_side_bound. */
-FOOTPOINT_PART void footpoint_detail_KIND_side_correct(BLOCK *FOOTPOINT_RESTRICT t, int l, REAL f,
-                                                       REAL g, REAL promise)
-{
-    const REAL s1 = t->a11[l] * f, s2 = t->a12[l] * g, t1 = t->a12[l] * f, t2 = t->a22[l] * g;
-    const REAL sum = footpoint_detail_KIND_side_greater(fabs(s1) + fabs(s2), fabs(t1) + fabs(t2));
-    const REAL off = 5.0 * REAL_UNIT * sum + t->off[l];
-    const REAL step = footpoint_detail_KIND_side_greater(fabs(s1 + s2), fabs(t1 + t2)) + off;
-    const REAL h = t->most[l] + t->turn[l] * step;
-    const REAL room = 0.999 * promise - 4e-15 - (1.3 * h * step + 1.01 * off);
-    t->xi[l] += (double)(s1 + s2);
-    t->eta[l] += (double)(t1 + t2);
-    t->most[l] = h;
-    t->doubt[l] |= footpoint_detail_bits(0.08 - step) | footpoint_detail_bits(0.199 - h) |
-                   footpoint_detail_bits(t->flat[l] - t->bend[l] * step);
-    t->wide[l] = footpoint_detail_bits(room) | footpoint_detail_infinite(room);
-}
-
-FOOTPOINT_APART void footpoint_detail_KIND_side_corrections(BLOCK *FOOTPOINT_RESTRICT t,
-                                                            REAL promise)
-{
-    int l;
-    FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++)
-        footpoint_detail_KIND_side_correct(t, l, (REAL)t->f[l], (REAL)t->g[l], promise);
-}
-
 /* Computes at (p,q) values that prove corrections, and F = (f,g) in single precision if `rough`.
  *
  * F has the Jacobian -H.  T(y) = y + A F(y), A being H^-1 as computed at (p,q), has the derivative 1 - A H(y).  In a ball of 5/4 step

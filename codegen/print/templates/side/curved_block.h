@@ -1,0 +1,116 @@
+/* Pairs of curved faces and slave nodes side by side, for loops over arrays: the part in double. */
+
+enum { SIDE = 32 }; /* pairs at a time */
+
+/* The terms of a face, one by one; the last is `size`. */
+typedef union {
+    footpoint_detail_KIND_terms of;
+    double number[sizeof(footpoint_detail_KIND_terms) / sizeof(double)];
+} footpoint_detail_KIND_side_terms;
+
+enum {
+    footpoint_detail_KIND_side_vectors = sizeof(footpoint_detail_KIND_terms) / sizeof(double) / 3
+};
+
+/* Holds values of pairs. `term` has the vectors of faces; `narrow` has them rounded, in a unit of length, a power of 2,
+ * in which `size`, a bound on theirs, is 1 to 2.2; `square` changes products of lengths to that unit. Steps in single
+ * precision end at (p,q), from the middle; the answer is (xi,eta). Slopes f and g, and a11 to `flat`, prove it: see
+ * footpoint_detail_f_KIND_side_bounds. A pair is not proved if the highest bit of `doubt` or `wide` is set. */
+typedef struct {
+    double x[COORDINATES][SIDE];
+    double term[footpoint_detail_KIND_side_vectors][3][SIDE], square[SIDE];
+    double xi[SIDE], eta[SIDE];
+    double f[SIDE], g[SIDE];
+    double gap[SIDE];
+    LANE narrow[footpoint_detail_KIND_side_vectors][3][SIDE], size[SIDE];
+    LANE p[SIDE], q[SIDE];
+    LANE a11[SIDE], a12[SIDE];
+    LANE a22[SIDE], most[SIDE];
+    LANE turn[SIDE], off[SIDE], bend[SIDE], flat[SIDE];
+    LANE_BITS range[SIDE], doubt[SIDE], wide[SIDE];
+} BLOCK;
+
+/* Computes terms from columns x. */
+FOOTPOINT_APART void footpoint_detail_KIND_side_narrow(const double *const *x,
+                                                       BLOCK *FOOTPOINT_RESTRICT t)
+{
+    int l, i, k;
+    for (l = 0; l < SIDE; l++)
+        t->square[l] = 0.0;
+    for (i = 0; i < 3; i++) {
+        const double *column[VECTORS];
+        for (k = 0; k < VECTORS; k++)
+            column[k] = x[3 * k + i];
+        FOOTPOINT_EACH
+        for (l = 0; l < SIDE; l++) {
+            footpoint_detail_KIND_side_terms face;
+            double node[VECTORS], squares;
+            FOOTPOINT_WHOLE
+            for (k = 0; k < VECTORS; k++)
+                node[k] = column[k][l];
+            squares = footpoint_detail_KIND_axis(node, 0, &face.of);
+            t->square[l] += squares;
+            FOOTPOINT_WHOLE
+            for (k = 0; k < footpoint_detail_KIND_side_vectors; k++)
+                t->term[k][i][l] = face.number[3 * k];
+        }
+    }
+    FOOTPOINT_EACH
+    for (l = 0; l < SIDE; l++)
+        t->size[l] = (LANE)footpoint_detail_root_bound(t->square[l]);
+}
+
+/* Puts the answer where steps in single precision have ended. */
+FOOTPOINT_APART void footpoint_detail_KIND_side_settle(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    const double middle = footpoint_detail_KIND_middle();
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < SIDE; l++) {
+        t->xi[l] = (double)t->p[l] + middle;
+        t->eta[l] = (double)t->q[l] + middle;
+    }
+}
+
+/* Computes the slopes f = r_xi . D and g = r_eta . D at (xi,eta), with D = xS - r, in the unit of `narrow`, and the gap, if
+ * they are asked for. */
+FOOTPOINT_PART void footpoint_detail_KIND_side_place(BLOCK *FOOTPOINT_RESTRICT t, int slopes,
+                                                     int gap)
+{
+    const double middle = footpoint_detail_KIND_middle();
+    int l, k;
+    FOOTPOINT_EACH
+    for (l = 0; l < SIDE; l++) {
+        footpoint_detail_KIND_side_terms face;
+        footpoint_detail_local r;
+        double n[3];
+        FOOTPOINT_WHOLE
+        for (k = 0; k < 3 * footpoint_detail_KIND_side_vectors; k++)
+            face.number[k] = t->term[k / 3][k % 3][l];
+        footpoint_detail_KIND_local(&face.of, t->xi[l] - middle, t->eta[l] - middle, &r);
+        if (slopes) {
+            t->f[l] = footpoint_detail_dot(r.u, r.d) * t->square[l];
+            t->g[l] = footpoint_detail_dot(r.v, r.d) * t->square[l];
+        }
+        if (gap) {
+            footpoint_detail_cross(r.u, r.v, n);
+            t->gap[l] = footpoint_detail_dot(r.d, n) *
+                        footpoint_detail_KIND_side_root(footpoint_detail_dot(n, n));
+        }
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_slopes(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_KIND_side_place(t, 1, 0);
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_gaps(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_KIND_side_place(t, 0, 1);
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_slopes_and_gaps(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_KIND_side_place(t, 1, 1);
+}

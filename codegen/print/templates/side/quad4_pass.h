@@ -1,0 +1,24 @@
+/* Steps on four-node faces side by side. */
+
+/* Takes as many steps as the promise needs, or `more` from their end, and proves the last. */
+FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise, int more)
+{
+    footpoint_detail_LANES_KIND_side_products(t);
+    if (!more) {
+        footpoint_detail_LANES_KIND_side_begin(t);
+        footpoint_detail_LANES_KIND_side_gauss(t);
+    }
+    if (!more && promise > 0.99e-3) {
+        footpoint_detail_LANES_KIND_side_rough(t, (LANE)promise);
+        footpoint_detail_KIND_side_gaps(t);
+        return;
+    }
+    footpoint_detail_LANES_KIND_side_newton(t);
+    footpoint_detail_LANES_KIND_side_bounds(t);
+    if (more || promise < 0.99e-7) {
+        footpoint_detail_KIND_side_slopes(t);
+        footpoint_detail_LANES_KIND_side_corrections(t, (LANE)promise);
+    }
+    footpoint_detail_KIND_side_slopes_and_gaps(t);
+    footpoint_detail_LANES_KIND_side_corrections(t, (LANE)promise);
+}
