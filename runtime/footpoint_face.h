@@ -48,8 +48,8 @@ int footpoint_face_nodes(enum footpoint_face face);
  *          FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_ARGUMENT */
 int footpoint_face_locate(enum footpoint_face face, const double *x, double loc[2], double *gap);
 
-/** Calls footpoint_face_locate for n pairs of a slave node and a face, using AVX-512 or AVX2 if available: with the same
- *  bits, but FOOTPOINT_QUAD4 within the promise of 1e-12, because pairs side by side take other steps.
+/** Calls footpoint_face_locate for n pairs of a slave node and a face, using AVX-512 or AVX2 if available: for
+ *  FOOTPOINT_TRI3 with the same bits, otherwise within the promise of 1e-12, because pairs side by side take other steps.
  *  @param[in]  xyz     nodes x 3, mesh length
  *  @param[in]  seg     n x N node indices, from 0
  *  @param[in]  slave   n node indices

@@ -55,10 +55,10 @@ static void print_answers(const struct unit *u, FILE *out)
         promise_print_terms(u, precision, out);
     lines_print_templates(
         u, "ANSWER",
-        curved && single ? (const char *const[]){errors, "curved_single", "curved_proof", "curved_repair",
-                                                 "answer_proved", NULL}
-        : curved ? (const char *const[]){"curved_step", "curved_proof", "curved_repair", "answer_proved", NULL}
-        : patch          ? (const char *const[]){terms, "patch_newton", "patch_proof", "patch_repair", NULL}
+        curved && single
+            ? (const char *const[]){errors, "curved_single", "curved_proof", "curved_repair", "answer_proved", NULL}
+        : curved   ? (const char *const[]){"curved_step", "curved_proof", "curved_repair", "answer_proved", NULL}
+        : patch    ? (const char *const[]){terms, "patch_newton", "patch_proof", "patch_repair", NULL}
         : bilinear ? (const char *const[]){"quad4_proof", step, "quad4_steps", "quad4_repair", "answer_proved", NULL}
         : promise == PROMISE_LINEAR ? (const char *const[]){"tri3_answer", NULL}
                                     : (const char *const[]){"answer", NULL},

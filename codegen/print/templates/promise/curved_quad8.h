@@ -6,11 +6,10 @@ typedef struct {
     REAL e[3], f[3], a[3], b[3], c[3], g[3], h[3], d[3], size;
 } footpoint_detail_quad8_terms;
 
-/* Computes coordinate i of the terms from that of the nodes. Returns its part of the square of `size`. */
-FOOTPOINT_PART REAL footpoint_detail_quad8_axis(const REAL x[VECTORS], int i,
+/* Computes coordinate i of the terms, without `size`, from that of the nodes. */
+FOOTPOINT_PART void footpoint_detail_quad8_axis(const REAL x[VECTORS], int i,
                                                 footpoint_detail_quad8_terms *t)
 {
-
     const REAL ae = x[0] - x[4], be = x[1] - x[4], bf = x[1] - x[5];
     const REAL cf = x[2] - x[5], cg = x[2] - x[6], dg = x[3] - x[6];
     const REAL dh = x[3] - x[7], ah = x[0] - x[7];
@@ -23,8 +22,20 @@ FOOTPOINT_PART REAL footpoint_detail_quad8_axis(const REAL x[VECTORS], int i,
     t->g[i] = 0.5 * (cd - ab);
     t->h[i] = 0.5 * (bc - da);
     t->d[i] = 0.5 * ((x[8] - x[5]) + (x[8] - x[7]) + t->a[i]);
+}
 
-    return ae * ae + be * be + bf * bf + cf * cf + cg * cg + dg * dg + dh * dh + ah * ah;
+/* Returns the square of `size` from the other terms. */
+FOOTPOINT_PART REAL footpoint_detail_quad8_square(const footpoint_detail_quad8_terms *t)
+{
+    REAL sum = 0.0;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const REAL e = 2.0 * t->e[i] + t->h[i], f = 2.0 * t->f[i] + t->g[i];
+        sum += e * e + f * f + 8.0 * t->b[i] * t->b[i] + t->a[i] * t->a[i] + t->c[i] * t->c[i];
+        sum += t->g[i] * t->g[i] + t->h[i] * t->h[i];
+    }
+    return sum;
 }
 
 /* Computes r - r0 - p e - q f at (p,q), from the middle. */

@@ -7,11 +7,10 @@ typedef struct {
     REAL e[3], f[3], a[3], b[3], c[3], g[3], h[3], k[3], d[3], size;
 } footpoint_detail_quad9_terms;
 
-/* Computes coordinate i of the terms from that of the nodes. Returns its part of the square of `size`. */
-FOOTPOINT_PART REAL footpoint_detail_quad9_axis(const REAL x[VECTORS], int i,
+/* Computes coordinate i of the terms, without `size`, from that of the nodes. */
+FOOTPOINT_PART void footpoint_detail_quad9_axis(const REAL x[VECTORS], int i,
                                                 footpoint_detail_quad9_terms *t)
 {
-
     const REAL ae = x[0] - x[4], be = x[1] - x[4], bf = x[1] - x[5];
     const REAL cf = x[2] - x[5], cg = x[2] - x[6], dg = x[3] - x[6];
     const REAL dh = x[3] - x[7], ah = x[0] - x[7];
@@ -26,9 +25,22 @@ FOOTPOINT_PART REAL footpoint_detail_quad9_axis(const REAL x[VECTORS], int i,
     t->h[i] = 0.5 * (bc - da);
     t->k[i] = (ab + cd) - 2.0 * t->a[i];
     t->d[i] = x[9] - x[8];
+}
 
-    return ae * ae + be * be + bf * bf + cf * cf + cg * cg + dg * dg + dh * dh + ah * ah + em * em +
-           fm * fm + gm * gm + hm * hm;
+/* Returns the square of `size` from the other terms. */
+FOOTPOINT_PART REAL footpoint_detail_quad9_square(const footpoint_detail_quad9_terms *t)
+{
+    REAL sum = 0.0;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const REAL e = 2.0 * t->e[i] + t->h[i], f = 2.0 * t->f[i] + t->g[i];
+        const REAL a = t->a[i] + 0.5 * t->k[i], c = t->c[i] + 0.5 * t->k[i];
+        sum += e * e + f * f + 8.0 * t->b[i] * t->b[i] + a * a + c * c + t->g[i] * t->g[i];
+        sum += t->h[i] * t->h[i] + 2.0 * (t->e[i] * t->e[i] + t->f[i] * t->f[i]);
+        sum += 0.5 * (t->a[i] * t->a[i] + t->c[i] * t->c[i]);
+    }
+    return sum;
 }
 
 /* Computes r - r0 - p e - q f at (p,q), from the middle, without k. */

@@ -10,7 +10,6 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_middle(void)
 FOOTPOINT_PART void footpoint_detail_KIND_expand(const REAL *const *x,
                                                  footpoint_detail_KIND_terms *of)
 {
-    REAL squares = 0.0;
     int i, k;
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
@@ -18,9 +17,9 @@ FOOTPOINT_PART void footpoint_detail_KIND_expand(const REAL *const *x,
         FOOTPOINT_UNROLL
         for (k = 0; k < VECTORS; k++)
             node[k] = x[k][i];
-        squares += footpoint_detail_KIND_axis(node, i, of);
+        footpoint_detail_KIND_axis(node, i, of);
     }
-    of->size = sqrt(squares);
+    of->size = sqrt(footpoint_detail_KIND_square(of));
 }
 
 /* Takes a Gauss-Newton step from the middle, less the effect of curvature along it. */

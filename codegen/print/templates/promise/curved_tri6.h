@@ -7,8 +7,8 @@ typedef struct {
     REAL e[3], f[3], a[3], b[3], c[3], d[3], size;
 } footpoint_detail_tri6_terms;
 
-/* Computes coordinate i of the terms from that of the nodes. Returns its part of the square of `size`. */
-FOOTPOINT_PART REAL footpoint_detail_tri6_axis(const REAL x[VECTORS], int i,
+/* Computes coordinate i of the terms, without `size`, from that of the nodes. */
+FOOTPOINT_PART void footpoint_detail_tri6_axis(const REAL x[VECTORS], int i,
                                                footpoint_detail_tri6_terms *t)
 {
     const REAL third = 1.0 / 3.0;
@@ -22,8 +22,22 @@ FOOTPOINT_PART REAL footpoint_detail_tri6_axis(const REAL x[VECTORS], int i,
     t->b[i] = 4.0 * (ad + ef);
     t->c[i] = 4.0 * (af + cf);
     t->d[i] = third * (to + third * (ad + (x[1] - x[4]) + cf));
+}
 
-    return ad * ad + bd * bd + ef * ef + af * af + cf * cf + ed * ed;
+/* Returns the square of `size` from the other terms. */
+FOOTPOINT_PART REAL footpoint_detail_tri6_square(const footpoint_detail_tri6_terms *t)
+{
+    REAL sum = 0.0;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const REAL e = 0.5 * t->e[i], f = 0.5 * t->f[i], a = t->a[i] * (1.0 / 24.0);
+        const REAL c = t->c[i] * (1.0 / 24.0), b = t->b[i] * (1.0 / 12.0), ad = (a - e) + 2.0 * b;
+        const REAL bd = (e + 5.0 * a) - 2.0 * b, ef = (e - a) + b, af = (c - f) + 2.0 * b;
+        const REAL cf = (f + 5.0 * c) - 2.0 * b, ed = (f - c) + b;
+        sum += ad * ad + bd * bd + ef * ef + af * af + cf * cf + ed * ed;
+    }
+    return sum;
 }
 
 /* Computes r - r0 - p e - q f at (p,q), from the middle. */

@@ -12,17 +12,18 @@ enum {
     footpoint_detail_KIND_side_vectors = sizeof(footpoint_detail_KIND_terms) / sizeof(double) / 3
 };
 
-/* Holds values of pairs. `term` has the vectors of faces; `narrow` has them rounded, in a unit of length, a power of 2,
- * in which `size`, a bound on theirs, is 1 to 2.2; `square` changes products of lengths to that unit. Steps in single
- * precision end at (p,q), from the middle; the answer is (xi,eta). Slopes f and g, and a11 to `flat`, prove it: see
- * footpoint_detail_f_KIND_side_bounds. A pair is not proved if the highest bit of `doubt` or `wide` is set. */
+/* Holds values of pairs. `term` has the vectors of faces; `narrow` has them rounded, in a unit of length, a power of
+ * 2, in which the absolute values of the coordinates of e and f add up to 1 to 2; `square` changes products of
+ * lengths to that unit. Steps in single precision end at (p,q), from the middle; the answer is (xi,eta). Slopes f and
+ * g, and a11 to `flat`, prove it: see footpoint_detail_f_KIND_side_prove. A pair is not proved if the highest bit of
+ * `doubt` or `wide` is set. */
 typedef struct {
     double x[COORDINATES][SIDE];
     double term[footpoint_detail_KIND_side_vectors][3][SIDE], square[SIDE];
     double xi[SIDE], eta[SIDE];
     double f[SIDE], g[SIDE];
     double gap[SIDE];
-    LANE narrow[footpoint_detail_KIND_side_vectors][3][SIDE], size[SIDE];
+    LANE narrow[footpoint_detail_KIND_side_vectors][3][SIDE];
     LANE p[SIDE], q[SIDE];
     LANE a11[SIDE], a12[SIDE];
     LANE a22[SIDE], most[SIDE];
@@ -35,8 +36,6 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_narrow(const double *const *x,
                                                        BLOCK *FOOTPOINT_RESTRICT t)
 {
     int l, i, k;
-    for (l = 0; l < SIDE; l++)
-        t->square[l] = 0.0;
     for (i = 0; i < 3; i++) {
         const double *column[VECTORS];
         for (k = 0; k < VECTORS; k++)
@@ -44,20 +43,16 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_narrow(const double *const *x,
         FOOTPOINT_EACH
         for (l = 0; l < SIDE; l++) {
             footpoint_detail_KIND_side_terms face;
-            double node[VECTORS], squares;
+            double node[VECTORS];
             FOOTPOINT_WHOLE
             for (k = 0; k < VECTORS; k++)
                 node[k] = column[k][l];
-            squares = footpoint_detail_KIND_axis(node, 0, &face.of);
-            t->square[l] += squares;
+            footpoint_detail_KIND_axis(node, 0, &face.of);
             FOOTPOINT_WHOLE
             for (k = 0; k < footpoint_detail_KIND_side_vectors; k++)
                 t->term[k][i][l] = face.number[3 * k];
         }
     }
-    FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++)
-        t->size[l] = (LANE)footpoint_detail_root_bound(t->square[l]);
 }
 
 /* Puts the answer where steps in single precision have ended. */
@@ -72,8 +67,8 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_settle(BLOCK *FOOTPOINT_RESTRICT
     }
 }
 
-/* Computes the slopes f = r_xi . D and g = r_eta . D at (xi,eta), with D = xS - r, in the unit of `narrow`, and the gap, if
- * they are asked for. */
+/* Computes the slopes f = r_xi . D and g = r_eta . D at (xi,eta), with D = xS - r, in the unit of `narrow`, and the
+ * gap, if they are asked for. */
 FOOTPOINT_PART void footpoint_detail_KIND_side_place(BLOCK *FOOTPOINT_RESTRICT t, int slopes,
                                                      int gap)
 {

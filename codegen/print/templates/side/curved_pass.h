@@ -4,12 +4,14 @@
  * correction, which changes them by its square. */
 FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise, int more)
 {
-    if (!more)
+    if (!more) {
+        footpoint_detail_LANES_KIND_side_round(t);
         footpoint_detail_LANES_KIND_side_begin(t);
+    }
     footpoint_detail_LANES_KIND_side_newton(t);
-    if (promise < 0.99e-2)
+    if (more || promise < 0.99e-2)
         footpoint_detail_LANES_KIND_side_newton(t);
-    footpoint_detail_LANES_KIND_side_bounds(t);
+    footpoint_detail_LANES_KIND_side_prove(t);
     footpoint_detail_KIND_side_settle(t);
     if (more || promise < 0.99e-7) {
         footpoint_detail_KIND_side_slopes(t);
