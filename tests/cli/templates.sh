@@ -7,7 +7,7 @@ template() { # template NAME: includes it, from any folder
         [ ! -e "$path" ] || echo "#include \"$path\""
     done
 }
-named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $folder/*/*.h | sort -u)
+named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*.h $folder/*/*.h | sort -u)
 {
     echo '#include <math.h>'
     echo '#ifdef SINGLE'
@@ -27,14 +27,19 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
             parameters="$parameters${parameters:+, }const REAL x$k[3]"
         done
         case $kind in tri*) shape=triangle corners=3 ;; *) shape=square corners=4 ;; esac
+        case $kind in
+        *_lanes) net=lane_net three='TRIPLE REAL,ROOM 3,THREE 3,OF ,INTO ' ;;
+        *) net=net three='TRIPLE footpoint_detail_four,ROOM 4,THREE FOOTPOINT_DETAIL_THREE,OF footpoint_detail_of,INTO footpoint_detail_into' ;;
+        esac
         words="PROMISE VECTORS SEGMENT_VECTORS NODES CORNERS COORDINATES SCALED_NODES SCALABLE COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS REACH_TO_GROWTH VECTOR_ROWS LEAST_SIZE"
         printf '%s\n' "#define VECTORS $((others + 1))" "#define SEGMENT_VECTORS $others" "#define NODES $nodes" "#define CORNERS $corners" "#define SCALABLE 1" "#define PROMISE 1e-7" \
             "#define COORDINATES $((3 * others + 3))" "#define SCALED_NODES $nodes" "#define COLUMNS $columns" "#define ROWS $rows" \
             "#define SEGMENT_ROWS $segment" "#define NODE_NAMES $names" "#define NODE_PARAMETERS $parameters" \
             '#define REACH_TO_GROWTH (reach * reach)' '#define LEAST_SIZE 1e-20' \
             "#define VECTOR_ROWS $(echo "$rows" | sed 's/p/x/g')"
-        printf '%s\n' $named | sed "h; s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/LANES_//; s/^NAME/${kind}_name/; H; x; s/\n/ /; s/^/#define /"
-        words="$words $named"
+        echo "$three" | tr , '\n' | sed 's/^/#define /'
+        printf '%s\n' $named | sed "h; s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/NET/$net/; s/LANES_//; s/^NAME/${kind}_name/; H; x; s/\n/ /; s/^/#define /"
+        words="$words $named TRIPLE ROOM THREE OF INTO"
         closest="inward fan closest_surface"
         [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
         [ "$kind" != tri3 ] || closest="$closest tri3_nearest tri3_sure proved_closest_arrays"
@@ -47,8 +52,8 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
         tri6) files="$files curved_local norm curved_limits curved_tri6 single_tri6 curved_start curved_step:curved_single curved_proof curved_repair answer_proved curved_from from" ;;
         quad8 | quad9) files="$files curved_$kind single_$kind curved_start curved_step:curved_single curved_proof curved_repair answer_proved curved_from from" ;;
         tri3) files="$files tri3_answer" ;;
-        bezier) files="$files patch_net patch_bezier patch_bends patch_newton patch_proof patch_repair patch_from" ;;
-        gregory) files="$files patch_gregory patch_newton patch_proof patch_repair patch_from" ;;
+        bezier) files="$files patch_three patch_net patch_bezier patch_bends patch_expand patch_newton patch_proof patch_repair patch_from" ;;
+        gregory) files="$files patch_gregory patch_expand patch_newton patch_proof patch_repair patch_from" ;;
         esac
         case $kind in
         quad4) files="$files arrays over side_root:double quad4_block:double side_correct:double quad4_side:double quad4_pass:double side_run:arrays_checked" ;;
@@ -82,7 +87,10 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\)[a-z_]*' $folder/*.h $f
         esac
         files="straight $files" calls='at checked arrays_calls over_calls'
         case $kind in
-        *_lanes) files="patch_block:double lanes_${kind%_lanes} patch_newton patch_lane patch_lanes:double straight patch_begin:double" calls= ;;
+        *_lanes)
+            files="patch_block:double lanes_${kind%_lanes} patch_newton patch_lane patch_lanes:double straight patch_begin:double" calls=
+            [ $kind != bezier_lanes ] || files="patch_net $files"
+            ;;
         bezier | gregory) calls='at checked patch_calls patch_from_calls patch_nearby proved_closest_calls' ;;
         esac
         case $nearest in

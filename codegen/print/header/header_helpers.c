@@ -30,6 +30,16 @@ static void print_kind(const struct unit *u, FILE *out)
                           out);
 }
 
+/* Prints the polynomials of patches for single calls. */
+static void print_net(FILE *out)
+{
+    struct words w = {NULL, 0, 0};
+    templates_print("FOOTPOINT_DETAIL_VECTORS", (const char *const[]){"patch_three", NULL}, PRECISION_DOUBLE, NULL, out);
+    words_add_net(&w, "net", "footpoint_detail_four", "4", "FOOTPOINT_DETAIL_THREE", "footpoint_detail_");
+    templates_print("FOOTPOINT_DETAIL_NET", (const char *const[]){"patch_net", NULL}, PRECISION_DOUBLE, w.word, out);
+    words_clear(&w);
+}
+
 /* Prints proofs, and the answers if the quick way fails. */
 static void print_answers(const struct unit *u, FILE *out)
 {
@@ -50,7 +60,7 @@ static void print_answers(const struct unit *u, FILE *out)
     if (curved && single)
         templates_print("FOOTPOINT_DETAIL_NORM", (const char *const[]){"norm", NULL}, precision, NULL, out);
     if (patch)
-        templates_print("FOOTPOINT_DETAIL_NET", (const char *const[]){"patch_net", NULL}, precision, NULL, out);
+        print_net(out);
     if (curved)
         promise_print_terms(u, precision, out);
     lines_print_templates(
@@ -58,7 +68,7 @@ static void print_answers(const struct unit *u, FILE *out)
         curved && single
             ? (const char *const[]){errors, "curved_single", "curved_proof", "curved_repair", "answer_proved", NULL}
         : curved   ? (const char *const[]){"curved_step", "curved_proof", "curved_repair", "answer_proved", NULL}
-        : patch    ? (const char *const[]){terms, "patch_newton", "patch_proof", "patch_repair", NULL}
+        : patch    ? (const char *const[]){terms, "patch_expand", "patch_newton", "patch_proof", "patch_repair", NULL}
         : bilinear ? (const char *const[]){"quad4_proof", step, "quad4_steps", "quad4_repair", "answer_proved", NULL}
         : promise == PROMISE_LINEAR ? (const char *const[]){"tri3_answer", NULL}
                                     : (const char *const[]){"answer", NULL},

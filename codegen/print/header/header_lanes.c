@@ -30,16 +30,14 @@ static struct words lanes_words(const struct unit *u, bool single)
     words_add(&w, "BLOCK", new_format("footpoint_detail_%sblock", f));
     words_add(&w, "NARROW", new_format("footpoint_detail_%snarrow", f));
     words_add(&w, "VECTOR_ROWS", lines_rows(u, "x"));
+    words_add_net(&w, "lane_net", single ? "float" : "double", "3", "3", NULL);
     return w;
 }
 
 static void print_precision(const struct unit *u, bool single, FILE *out)
 {
-    static const char *const common[][2] = {{"BITS", "bits"},
-                                            {"PRODUCTS", "products"},
-                                            {"BOUNDS", "bounds"},
-                                            {"LOCAL", "curved_local"},
-                                            {"NET", "patch_net"}};
+    static const char *const common[][2] = {
+        {"BITS", "bits"}, {"PRODUCTS", "products"}, {"BOUNDS", "bounds"}, {"LOCAL", "curved_local"}};
     const enum precision precision = single ? PRECISION_FLOAT : PRECISION_DOUBLE;
     struct words w = lanes_words(u, single);
     char *guard = new_format("FOOTPOINT_DETAIL_%sBLOCK", single ? "F_" : ""),
@@ -50,6 +48,7 @@ static void print_precision(const struct unit *u, bool single, FILE *out)
         templates_print(other, (const char *const[]){common[i][1], NULL}, precision, NULL, out);
         free(other);
     }
+    templates_print("FOOTPOINT_DETAIL_LANE_NET", (const char *const[]){"patch_net", NULL}, precision, w.word, out);
     templates_print(guard, (const char *const[]){"patch_block", NULL}, PRECISION_DOUBLE, w.word, out);
     templates_print(lanes, (const char *const[]){terms, "patch_newton", "patch_lane", "patch_lanes", NULL}, precision,
                     w.word, out);

@@ -118,6 +118,17 @@ void words_add(struct words *w, const char *word, char *text)
     w->n--;
 }
 
+void words_add_net(struct words *w, const char *net, const char *type, const char *room, const char *turns,
+                   const char *access)
+{
+    words_add(w, "NET", new_format("%s", net));
+    words_add(w, "TRIPLE", new_format("%s", type));
+    words_add(w, "ROOM", new_format("%s", room));
+    words_add(w, "THREE", new_format("%s", turns));
+    words_add(w, "OF", new_format("%s%s", access ? access : "", access ? "of" : ""));
+    words_add(w, "INTO", new_format("%s%s", access ? access : "", access ? "into" : ""));
+}
+
 void words_set(struct words *w, const char *word, char *text)
 {
     for (size_t i = 0; i < w->n; i++)

@@ -27,6 +27,11 @@ struct words {
     size_t n, room;
 };
 void words_add(struct words *w, const char *word, char *text); /* adds a word; owns the text */
+
+/* Adds the words of patch_net.h: the beginning of its names, the type of coordinates, whose arrays are `room` long and take `turns`
+ * turns of a loop, and the beginning of the functions that read and write them, which are the arrays themselves if it is NULL. */
+void words_add_net(struct words *w, const char *net, const char *type, const char *room, const char *turns,
+                   const char *access);
 void words_set(struct words *w, const char *word, char *text); /* replaces the text of a word; owns the new text */
 void words_clear(struct words *w);
 

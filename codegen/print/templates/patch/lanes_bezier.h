@@ -1,19 +1,20 @@
 /* Bezier patches side by side: only a net; see patch_bezier.h. */
 
 typedef struct {
-    footpoint_detail_net net;
+    footpoint_detail_NET net;
 } footpoint_detail_KIND_terms;
 
-FOOTPOINT_PART void footpoint_detail_KIND_shape(const REAL *const *n, footpoint_detail_bent bent[4],
+FOOTPOINT_PART void footpoint_detail_KIND_shape(const REAL *const *n,
+                                                footpoint_detail_NET_bent bent[4],
                                                 footpoint_detail_KIND_terms *t)
 {
-    footpoint_detail_net_expand(n, bent, &t->net);
+    footpoint_detail_NET_expand(n, bent, &t->net);
 }
 
 FOOTPOINT_PART void footpoint_detail_KIND_local(const footpoint_detail_KIND_terms *t, REAL p,
                                                 REAL q, footpoint_detail_local *l)
 {
-    footpoint_detail_net_local(&t->net, p, q, l);
+    footpoint_detail_NET_local(&t->net, p, q, l);
 }
 
 FOOTPOINT_PART REAL footpoint_detail_KIND_inner(const footpoint_detail_KIND_terms *t, REAL p,

@@ -4,7 +4,7 @@
  * f(x) f(y) twist, f(x) = (1 - x)^2, where x and y are half the distances from it along xi and eta. twists: sums of the
  * absolute coordinates. */
 typedef struct {
-    footpoint_detail_net net;
+    footpoint_detail_NET net;
     REAL inner[4][3], twist[4][3], twists[4];
 } footpoint_detail_KIND_terms;
 
@@ -57,7 +57,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_make(const REAL edge[3],
 }
 
 /* Computes the handles at the ends of an edge. */
-FOOTPOINT_PART void footpoint_detail_KIND_handles(const footpoint_detail_bent *t, REAL a[3],
+FOOTPOINT_PART void footpoint_detail_KIND_handles(const footpoint_detail_NET_bent *t, REAL a[3],
                                                   REAL b[3])
 {
     const REAL third = 1.0 / 3.0, rise = 8.0 / 3.0;
@@ -81,13 +81,14 @@ FOOTPOINT_PART void footpoint_detail_KIND_handles(const footpoint_detail_bent *t
  *
  * Third derivatives of the part of `inner`, up to 1/8 beside the patch, are bounded term by term for w = 1 - p^2: its
  * first derivative by 2.25, its second by 2, those of p w by 2.8, 6.75 and 6. */
-FOOTPOINT_PART void footpoint_detail_KIND_shape(const REAL *const *n, footpoint_detail_bent bent[4],
+FOOTPOINT_PART void footpoint_detail_KIND_shape(const REAL *const *n,
+                                                footpoint_detail_NET_bent bent[4],
                                                 footpoint_detail_KIND_terms *t)
 {
     footpoint_detail_KIND_end end[4][2]; /* of AB, DC, AD, BC */
     REAL handle[4][2][3], square[4], along[4][3], up[4][3], most, longest = 0.0, sums[4];
     int c, i;
-    footpoint_detail_net_expand(n, bent, &t->net);
+    footpoint_detail_NET_expand(n, bent, &t->net);
     FOOTPOINT_WHOLE
     for (c = 0; c < 4; c++) {
         footpoint_detail_KIND_handles(&bent[c], handle[c][0], handle[c][1]);
@@ -175,7 +176,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_local(const footpoint_detail_KIND_term
     for (c = 0; c < 4; c++)
         footpoint_detail_KIND_twist(c == 1 || c == 2 ? -1.0 : 1.0, c > 1 ? -1.0 : 1.0, p, q,
                                     near[c], s[c]);
-    footpoint_detail_net_local(&t->net, p, q, l);
+    footpoint_detail_NET_local(&t->net, p, q, l);
     FOOTPOINT_WHOLE
     for (i = 0; i < 3; i++) {
         const REAL i0 = t->inner[0][i], i1 = t->inner[1][i], i2 = t->inner[2][i],

@@ -5,7 +5,7 @@ typedef struct {
 } footpoint_detail_bezier_terms;
 
 FOOTPOINT_PART void footpoint_detail_bezier_shape(const REAL *const *n,
-                                                  footpoint_detail_bent bent[4],
+                                                  footpoint_detail_net_bent bent[4],
                                                   footpoint_detail_bezier_terms *t)
 {
     footpoint_detail_net_expand(n, bent, &t->net);

@@ -5,7 +5,7 @@
  * net's; twist: the other edge's difference minus that. twists: sums of the absolute coordinates. */
 typedef struct {
     footpoint_detail_net net;
-    REAL side[4][3], twist[4][3], twists[4];
+    REAL side[4][4], twist[4][4], twists[4];
 } footpoint_detail_gregory_terms;
 
 /* Returns which of AB, DC, AD, BC handle m of corner c lies along. */
@@ -15,8 +15,8 @@ FOOTPOINT_PART int footpoint_detail_gregory_edge(int c, int m)
 }
 
 /* Computes the corners' handles b[c][0] along xi and b[c][1] along eta. */
-FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_bent bent[4],
-                                                     REAL b[4][2][3])
+FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_net_bent bent[4],
+                                                     REAL b[4][2][4])
 {
     const REAL third = 1.0 / 3.0, rise = 8.0 / 3.0;
     int c, m, i;
@@ -24,12 +24,18 @@ FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_bent
     for (c = 0; c < 4; c++) {
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
-            const footpoint_detail_bent *const t = &bent[footpoint_detail_gregory_edge(c, m)];
+            const footpoint_detail_net_bent *const t = &bent[footpoint_detail_gregory_edge(c, m)];
             const int ends = m ? c > 1 : c == 1 || c == 2;
             FOOTPOINT_UNROLL
-            for (i = 0; i < 3; i++)
-                b[c][m][i] = ends ? rise * t->end[i] - third * t->edge[i]
-                                  : third * t->edge[i] - rise * t->begin[i];
+            for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+                const footpoint_detail_four edge = third * footpoint_detail_of(t->edge)[i];
+                if (ends)
+                    footpoint_detail_into(b[c][m])[i] =
+                        rise * footpoint_detail_of(t->end)[i] - edge;
+                else
+                    footpoint_detail_into(b[c][m])[i] =
+                        edge - rise * footpoint_detail_of(t->begin)[i];
+            }
         }
     }
 }
@@ -37,8 +43,8 @@ FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_bent
 /* Computes, for unit normals, handle b[c][1 - m] as k[c][m] n x b[c][m] + l[c][m] b[c][m]; turn: n x b. Returns the
  * largest quotient of the squares of an edge and a handle along it. */
 FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *n,
-                                                   const footpoint_detail_bent bent[4],
-                                                   REAL b[4][2][3], REAL turn[4][2][3],
+                                                   const footpoint_detail_net_bent bent[4],
+                                                   REAL b[4][2][4], REAL turn[4][2][4],
                                                    REAL k[4][2], REAL l[4][2])
 {
     REAL most = 0.0, square[4];
@@ -54,7 +60,7 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *n,
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const REAL inverse = per * (m ? s : t);
-            footpoint_detail_cross(n[c], b[c][m], turn[c][m]);
+            footpoint_detail_across(n[c], b[c][m], turn[c][m]);
             k[c][m] = footpoint_detail_dot(turn[c][m], b[c][1 - m]) * inverse;
             l[c][m] = along * inverse;
             most = footpoint_detail_greater(most,
@@ -75,34 +81,40 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *n,
  * (3 u / (x + y) / 2 + 20 u) of twist <= 3.8 w^2 d*, 330 u w^2 d* at x + y = 0.01. 18, 60 and 280 2.5 allow for
  * both. */
 FOOTPOINT_PART void footpoint_detail_gregory_shape(const REAL *const *n,
-                                                   footpoint_detail_bent bent[4],
+                                                   footpoint_detail_net_bent bent[4],
                                                    footpoint_detail_gregory_terms *t)
 {
-    REAL b[4][2][3], turn[4][2][3], k[4][2], l[4][2], most, longest = 0.0;
+    REAL b[4][2][4], turn[4][2][4], k[4][2], l[4][2], most, longest = 0.0;
     int c, m, i;
     footpoint_detail_net_expand(n, bent, &t->net);
     footpoint_detail_gregory_handles(bent, b);
     most = footpoint_detail_gregory_parts(n, bent, b, turn, k, l);
     FOOTPOINT_UNROLL
     for (c = 0; c < 4; c++) {
-        REAL made[2][3], sides;
+        REAL made[2][4], sides;
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const int o = m ? 3 - c : c ^ 1, ends = m ? c > 1 : c == 1 || c == 2;
-            const REAL *const edge = bent[footpoint_detail_gregory_edge(c, m)].edge;
-            const REAL sum = k[c][m] - k[o][m], twice = 2.0 * l[c][m];
+            const footpoint_detail_four *const edge =
+                footpoint_detail_of(bent[footpoint_detail_gregory_edge(c, m)].edge);
+            const footpoint_detail_four *const here = footpoint_detail_of(b[c][m]);
+            const footpoint_detail_four *const there = footpoint_detail_of(b[o][m]);
+            const REAL sum = k[c][m] - k[o][m], twice = 2.0 * l[c][m], sign = ends ? -1.0 : 1.0;
             FOOTPOINT_UNROLL
-            for (i = 0; i < 3; i++) {
-                const REAL middle = (ends ? -edge[i] : edge[i]) + (b[o][m][i] - b[c][m][i]);
-                made[m][i] = 3.0 * (sum * turn[c][m][i] - k[c][m] * turn[o][m][i] +
-                                    (twice * middle - l[o][m] * b[c][m][i])) -
-                             9.0 * b[c][1 - m][i];
+            for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+                const footpoint_detail_four middle = sign * edge[i] + (there[i] - here[i]);
+                footpoint_detail_into(made[m])[i] =
+                    3.0 * (sum * footpoint_detail_of(turn[c][m])[i] -
+                           k[c][m] * footpoint_detail_of(turn[o][m])[i] +
+                           (twice * middle - l[o][m] * here[i])) -
+                    9.0 * footpoint_detail_of(b[c][1 - m])[i];
             }
         }
         FOOTPOINT_UNROLL
-        for (i = 0; i < 3; i++) {
-            t->side[c][i] = made[1][i];
-            t->twist[c][i] = made[0][i] - made[1][i];
+        for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+            const footpoint_detail_four side = footpoint_detail_of(made[1])[i];
+            footpoint_detail_into(t->side[c])[i] = side;
+            footpoint_detail_into(t->twist[c])[i] = footpoint_detail_of(made[0])[i] - side;
         }
         sides = 2.2 * footpoint_detail_sum(t->side[c]);
         t->twists[c] = footpoint_detail_sum(t->twist[c]);
@@ -123,58 +135,67 @@ FOOTPOINT_PART void footpoint_detail_gregory_near(REAL p, REAL q, REAL near[4])
     const REAL a = 1.0 + up + tiny, c = 1.0 - up + tiny, b = 1.0 - down + tiny,
                d = 1.0 + down + tiny;
     const REAL ac = a * c, bd = b * d, per = 1.0 / (ac * bd);
-    near[0] = per * c * bd;
-    near[1] = per * d * ac;
-    near[2] = per * a * bd;
-    near[3] = per * b * ac;
+    footpoint_detail_join(per * c * bd, per * d * ac, per * a * bd, per * b * ac, near);
 }
 
-/* Computes the corner's additions, see above, as factors of side[] and of twist[]: values, first and second derivatives
- * by xi and eta. */
-FOOTPOINT_PART void footpoint_detail_gregory_corner(REAL along, REAL across, REAL p, REAL q,
-                                                    REAL near, REAL side[6], REAL twist[6])
+/* Computes the corners' additions, see above, as factors of side[] and of twist[]: values, first and second derivatives
+ * by xi and eta, indexed by corner. */
+FOOTPOINT_PART void footpoint_detail_gregory_corners(REAL p, REAL q, const REAL near[4],
+                                                     REAL side[6][4], REAL twist[6][4])
 {
-    const REAL sx = 0.5 * along, sy = 0.5 * across, x = 0.5 + sx * p, y = 0.5 + sy * q;
-    const REAL X = 1.0 - x, Y = 1.0 - y, f = X * X, g = Y * Y, a = x * near, b = y * near;
-    const REAL m = x * f, n = y * g, m1 = sx * (X * (X - (x + x))), n1 = sy * (Y * (Y - (y + y)));
-    const REAL h = x * y * a, hx = y * a * (1.0 + b), hy = x * (a * a);
-    const REAL f1 = -2.0 * X, g1 = -2.0 * Y, fg = f * g, fg1 = f * g1, f1g = f1 * g;
-    side[0] = m * n;
-    side[1] = m1 * n;
-    side[2] = m * n1;
-    side[3] = (1.5 * x - 1.0) * n;
-    side[4] = m1 * n1;
-    side[5] = (1.5 * y - 1.0) * m;
-    twist[0] = fg * h;
-    twist[1] = sx * (f1g * h + fg * hx);
-    twist[2] = sy * (fg1 * h + fg * hy);
-    twist[3] = 0.5 * (g * h + f1g * hx + fg * (b * b * b));
-    twist[4] = sx * sy * (f1 * g1 * h + f1g * hy + fg1 * hx + fg * (a * a * (3.0 - (a + a))));
-    twist[5] = 0.5 * (f * h + fg1 * hy - fg * (a * a * a));
+    REAL along[4], across[4];
+    int c;
+    footpoint_detail_join(0.5, -0.5, -0.5, 0.5, along);
+    footpoint_detail_join(0.5, 0.5, -0.5, -0.5, across);
+    FOOTPOINT_UNROLL
+    for (c = 0; c < FOOTPOINT_DETAIL_FOUR; c++) {
+        const footpoint_detail_four sx = footpoint_detail_of(along)[c];
+        const footpoint_detail_four sy = footpoint_detail_of(across)[c];
+        const footpoint_detail_four x = 0.5 + sx * p, y = 0.5 + sy * q, X = 1.0 - x, Y = 1.0 - y;
+        const footpoint_detail_four f = X * X, g = Y * Y, m = x * f, n = y * g;
+        const footpoint_detail_four a = x * footpoint_detail_of(near)[c];
+        const footpoint_detail_four b = y * footpoint_detail_of(near)[c];
+        const footpoint_detail_four m1 = sx * (X * (X - (x + x))), n1 = sy * (Y * (Y - (y + y)));
+        const footpoint_detail_four h = x * y * a, hx = y * a * (1.0 + b), hy = x * (a * a);
+        const footpoint_detail_four f1 = -2.0 * X, g1 = -2.0 * Y;
+        const footpoint_detail_four fg = f * g, fg1 = f * g1, f1g = f1 * g;
+        footpoint_detail_into(side[0])[c] = m * n;
+        footpoint_detail_into(side[1])[c] = m1 * n;
+        footpoint_detail_into(side[2])[c] = m * n1;
+        footpoint_detail_into(side[3])[c] = (1.5 * x - 1.0) * n;
+        footpoint_detail_into(side[4])[c] = m1 * n1;
+        footpoint_detail_into(side[5])[c] = (1.5 * y - 1.0) * m;
+        footpoint_detail_into(twist[0])[c] = fg * h;
+        footpoint_detail_into(twist[1])[c] = sx * (f1g * h + fg * hx);
+        footpoint_detail_into(twist[2])[c] = sy * (fg1 * h + fg * hy);
+        footpoint_detail_into(twist[3])[c] = 0.5 * (g * h + f1g * hx + fg * (b * b * b));
+        footpoint_detail_into(twist[4])[c] =
+            sx * sy * (f1 * g1 * h + f1g * hy + fg1 * hx + fg * (a * a * (3.0 - (a + a))));
+        footpoint_detail_into(twist[5])[c] = 0.5 * (f * h + fg1 * hy - fg * (a * a * a));
+    }
 }
 
 /* Computes tangents and second derivatives at (p,q), and d = xS - r. */
 FOOTPOINT_PART void footpoint_detail_gregory_local(const footpoint_detail_gregory_terms *t, REAL p,
                                                    REAL q, footpoint_detail_local *l)
 {
-    REAL near[4];
+    REAL near[4], s[6][4], w[6][4];
     int c, i;
     footpoint_detail_net_local(&t->net, p, q, l);
     footpoint_detail_gregory_near(p, q, near);
+    footpoint_detail_gregory_corners(p, q, near, s, w);
     FOOTPOINT_UNROLL
     for (c = 0; c < 4; c++) {
-        REAL s[6], w[6];
-        footpoint_detail_gregory_corner(c == 1 || c == 2 ? -1.0 : 1.0, c > 1 ? -1.0 : 1.0, p, q,
-                                        near[c], s, w);
         FOOTPOINT_UNROLL
-        for (i = 0; i < 3; i++) {
-            const REAL y = t->side[c][i], z = t->twist[c][i];
-            l->d[i] -= s[0] * y + w[0] * z;
-            l->u[i] += s[1] * y + w[1] * z;
-            l->v[i] += s[2] * y + w[2] * z;
-            l->uu[i] += s[3] * y + w[3] * z;
-            l->uv[i] += s[4] * y + w[4] * z;
-            l->vv[i] += s[5] * y + w[5] * z;
+        for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+            const footpoint_detail_four y = footpoint_detail_of(t->side[c])[i];
+            const footpoint_detail_four z = footpoint_detail_of(t->twist[c])[i];
+            footpoint_detail_into(l->d)[i] -= s[0][c] * y + w[0][c] * z;
+            footpoint_detail_into(l->u)[i] += s[1][c] * y + w[1][c] * z;
+            footpoint_detail_into(l->v)[i] += s[2][c] * y + w[2][c] * z;
+            footpoint_detail_into(l->uu)[i] += s[3][c] * y + w[3][c] * z;
+            footpoint_detail_into(l->uv)[i] += s[4][c] * y + w[4][c] * z;
+            footpoint_detail_into(l->vv)[i] += s[5][c] * y + w[5][c] * z;
         }
     }
 }

@@ -17,7 +17,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_shapes(const BLOCK *FOOTPOINT_RESTRIC
     FOOTPOINT_EACH
     for (l = 0; l < FOOTPOINT_LANES; l++) {
         footpoint_detail_KIND_one one;
-        footpoint_detail_bent bent[4];
+        footpoint_detail_NET_bent bent[4];
         REAL n[4][3];
         const REAL *const normal[4] = {n[0], n[1], n[2], n[3]};
         FOOTPOINT_WHOLE

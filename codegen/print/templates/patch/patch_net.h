@@ -1,4 +1,5 @@
-/* Bicubic patches whose edges start at right angles to the normals at their ends, as polynomials about the middle. */
+/* Bicubic patches whose edges start at right angles to the normals at their ends, as polynomials about the middle: once for
+ * single calls, whose coordinates lie side by side (patch_three.h), once for lanes. */
 
 /* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
  * (1 - p^2) (p x1 - x0), and X, y and Y likewise: x bends the mean of the edges AB and DC, X is the excess bend of DC
@@ -15,25 +16,26 @@
  * 20.5 u Q + 8 u P, d without xS 11 u base, second derivatives 29 u P + 9 u Q; xS minus corners 3 u (|D| + 1.1 base),
  * four subtractions 4 u |D| + 2 u base. */
 typedef struct {
-    REAL e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3], y0[3], y1[3], Y0[3], Y1[3];
+    REAL e[ROOM], f[ROOM], m[ROOM], d[ROOM], x0[ROOM], x1[ROOM], X0[ROOM], X1[ROOM];
+    REAL y0[ROOM], y1[ROOM], Y0[ROOM], Y1[ROOM];
     REAL third[2], base, tilt, place, turn, far;
-} footpoint_detail_net;
+} footpoint_detail_NET;
 
 /* An edge, and an eighth of its parts along the normals m and n at its ends. */
 typedef struct {
-    REAL edge[3], begin[3], end[3];
-} footpoint_detail_bent;
+    REAL edge[ROOM], begin[ROOM], end[ROOM];
+} footpoint_detail_NET_bent;
 
-FOOTPOINT_PART void footpoint_detail_bend(const REAL m[3], const REAL n[3],
-                                          footpoint_detail_bent *t)
+FOOTPOINT_PART void footpoint_detail_NET_bend(const REAL m[3], const REAL n[3],
+                                              footpoint_detail_NET_bent *t)
 {
     const REAL first = 0.125 * footpoint_detail_dot(t->edge, m);
     const REAL second = 0.125 * footpoint_detail_dot(t->edge, n);
     int i;
     FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        t->begin[i] = first * m[i];
-        t->end[i] = second * n[i];
+    for (i = 0; i < THREE; i++) {
+        INTO(t->begin)[i] = first * OF(m)[i];
+        INTO(t->end)[i] = second * OF(n)[i];
     }
 }
 
@@ -41,7 +43,7 @@ FOOTPOINT_PART void footpoint_detail_bend(const REAL m[3], const REAL n[3],
  * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
  * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
  * 0.75 6.75 = 15.2 of Y1, 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7 of Y0, 1.69 of m; third[1] has 1.5 1.125 + 2 1.69 of m. */
-FOOTPOINT_PART void footpoint_detail_net_bounds(const REAL *const *n, footpoint_detail_net *t)
+FOOTPOINT_PART void footpoint_detail_NET_bounds(const REAL *const *n, footpoint_detail_NET *t)
 {
     const REAL X0 = footpoint_detail_sum(t->X0), X1 = footpoint_detail_sum(t->X1);
     const REAL Y0 = footpoint_detail_sum(t->Y0), Y1 = footpoint_detail_sum(t->Y1);
@@ -59,57 +61,43 @@ FOOTPOINT_PART void footpoint_detail_net_bounds(const REAL *const *n, footpoint_
     t->far = t->base;
 }
 
-/* Computes the edges AB, DC, AD and BC, and d. */
-FOOTPOINT_PART void footpoint_detail_net_edges(const REAL *const *x, footpoint_detail_bent bent[4],
-                                               footpoint_detail_net *t)
-{
-    int i;
-    footpoint_detail_from(x[0], x[1], bent[0].edge);
-    footpoint_detail_from(x[3], x[2], bent[1].edge);
-    footpoint_detail_from(x[0], x[3], bent[2].edge);
-    footpoint_detail_from(x[1], x[2], bent[3].edge);
-    FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++)
-        t->d[i] = 0.25 * (((x[8][i] - x[0][i]) + (x[8][i] - x[1][i])) +
-                          ((x[8][i] - x[2][i]) + (x[8][i] - x[3][i])));
-}
-
 /* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_net_expand(const REAL *const *n, footpoint_detail_bent bent[4],
-                                                footpoint_detail_net *t)
+FOOTPOINT_PART void footpoint_detail_NET_expand(const REAL *const *n,
+                                                footpoint_detail_NET_bent bent[4],
+                                                footpoint_detail_NET *t)
 {
-    const footpoint_detail_bent *const ab = &bent[0], *const dc = &bent[1], *const ad = &bent[2],
-                                       *const bc = &bent[3];
+    const footpoint_detail_NET_bent *const ab = &bent[0], *const dc = &bent[1],
+                                           *const ad = &bent[2], *const bc = &bent[3];
     int i;
-    footpoint_detail_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_bend(n[1], n[2], &bent[3]);
+    footpoint_detail_NET_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_NET_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_NET_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_NET_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        const REAL s = ab->begin[i] + ab->end[i], l = ab->begin[i] - ab->end[i];
-        const REAL S = dc->begin[i] + dc->end[i], L = dc->begin[i] - dc->end[i];
-        const REAL o = ad->begin[i] + ad->end[i], k = ad->begin[i] - ad->end[i];
-        const REAL O = bc->begin[i] + bc->end[i], K = bc->begin[i] - bc->end[i];
-        t->e[i] = 0.25 * (ab->edge[i] + dc->edge[i]);
-        t->f[i] = 0.25 * (ad->edge[i] + bc->edge[i]);
-        t->m[i] = 0.5 * (dc->edge[i] - ab->edge[i]);
-        t->x1[i] = 0.5 * (s + S);
-        t->x0[i] = 0.5 * (l + L);
-        t->X1[i] = S - s;
-        t->X0[i] = L - l;
-        t->y1[i] = 0.5 * (o + O);
-        t->y0[i] = 0.5 * (k + K);
-        t->Y1[i] = (O - o) - 0.5 * t->m[i];
-        t->Y0[i] = K - k;
+    for (i = 0; i < THREE; i++) {
+        const TRIPLE s = OF(ab->begin)[i] + OF(ab->end)[i], l = OF(ab->begin)[i] - OF(ab->end)[i];
+        const TRIPLE S = OF(dc->begin)[i] + OF(dc->end)[i], L = OF(dc->begin)[i] - OF(dc->end)[i];
+        const TRIPLE o = OF(ad->begin)[i] + OF(ad->end)[i], k = OF(ad->begin)[i] - OF(ad->end)[i];
+        const TRIPLE O = OF(bc->begin)[i] + OF(bc->end)[i], K = OF(bc->begin)[i] - OF(bc->end)[i];
+        INTO(t->e)[i] = 0.25 * (OF(ab->edge)[i] + OF(dc->edge)[i]);
+        INTO(t->f)[i] = 0.25 * (OF(ad->edge)[i] + OF(bc->edge)[i]);
+        INTO(t->m)[i] = 0.5 * (OF(dc->edge)[i] - OF(ab->edge)[i]);
+        INTO(t->x1)[i] = 0.5 * (s + S);
+        INTO(t->x0)[i] = 0.5 * (l + L);
+        INTO(t->X1)[i] = S - s;
+        INTO(t->X0)[i] = L - l;
+        INTO(t->y1)[i] = 0.5 * (o + O);
+        INTO(t->y0)[i] = 0.5 * (k + K);
+        INTO(t->Y1)[i] = (O - o) - 0.5 * OF(t->m)[i];
+        INTO(t->Y0)[i] = K - k;
     }
     t->base = (footpoint_detail_sum(ab->edge) + footpoint_detail_sum(dc->edge)) +
               (footpoint_detail_sum(ad->edge) + footpoint_detail_sum(bc->edge));
-    footpoint_detail_net_bounds(n, t);
+    footpoint_detail_NET_bounds(n, t);
 }
 
 /* Computes tangents and second derivatives at (p,q), and d = xS - r. */
-FOOTPOINT_PART void footpoint_detail_net_local(const footpoint_detail_net *t, REAL p, REAL q,
+FOOTPOINT_PART void footpoint_detail_NET_local(const footpoint_detail_NET *t, REAL p, REAL q,
                                                footpoint_detail_local *l)
 {
     const REAL w = 1.0 - p * p, a = p * w, a1 = 1.0 - 3.0 * (p * p), p2 = p + p, p6 = 6.0 * p;
@@ -118,18 +106,21 @@ FOOTPOINT_PART void footpoint_detail_net_local(const footpoint_detail_net *t, RE
     const REAL g = q * (0.5 + 0.25 * z), g1 = 0.75 * z, g2 = -1.5 * q;
     int i;
     FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        const REAL X = p * t->m[i] + a * t->X1[i] - w * t->X0[i];
-        const REAL X1 = t->m[i] + a1 * t->X1[i] + p2 * t->X0[i];
-        const REAL X2 = 2.0 * t->X0[i] - p6 * t->X1[i];
-        const REAL Y = c * t->Y1[i] - z * t->Y0[i], Y1 = c1 * t->Y1[i] + q2 * t->Y0[i];
-        const REAL Y2 = 2.0 * t->Y0[i] - q6 * t->Y1[i];
-        l->d[i] = t->d[i] - p * t->e[i] - q * t->f[i] - (a * t->x1[i] - w * t->x0[i] + g * X) -
-                  (c * t->y1[i] - z * t->y0[i] + b * Y);
-        l->u[i] = t->e[i] + (a1 * t->x1[i] + p2 * t->x0[i]) + g * X1 + b1 * Y;
-        l->v[i] = t->f[i] + (c1 * t->y1[i] + q2 * t->y0[i]) + b * Y1 + g1 * X;
-        l->uu[i] = 2.0 * t->x0[i] - p6 * t->x1[i] + g * X2 + b2 * Y;
-        l->uv[i] = g1 * X1 + b1 * Y1;
-        l->vv[i] = 2.0 * t->y0[i] - q6 * t->y1[i] + b * Y2 + g2 * X;
+    for (i = 0; i < THREE; i++) {
+        const TRIPLE X = p * OF(t->m)[i] + a * OF(t->X1)[i] - w * OF(t->X0)[i];
+        const TRIPLE X1 = OF(t->m)[i] + a1 * OF(t->X1)[i] + p2 * OF(t->X0)[i];
+        const TRIPLE X2 = 2.0 * OF(t->X0)[i] - p6 * OF(t->X1)[i];
+        const TRIPLE Y = c * OF(t->Y1)[i] - z * OF(t->Y0)[i],
+                     Y1 = c1 * OF(t->Y1)[i] + q2 * OF(t->Y0)[i];
+        const TRIPLE Y2 = 2.0 * OF(t->Y0)[i] - q6 * OF(t->Y1)[i];
+        INTO(l->d)
+        [i] = OF(t->d)[i] - p * OF(t->e)[i] - q * OF(t->f)[i] -
+              (a * OF(t->x1)[i] - w * OF(t->x0)[i] + g * X) -
+              (c * OF(t->y1)[i] - z * OF(t->y0)[i] + b * Y);
+        INTO(l->u)[i] = OF(t->e)[i] + (a1 * OF(t->x1)[i] + p2 * OF(t->x0)[i]) + g * X1 + b1 * Y;
+        INTO(l->v)[i] = OF(t->f)[i] + (c1 * OF(t->y1)[i] + q2 * OF(t->y0)[i]) + b * Y1 + g1 * X;
+        INTO(l->uu)[i] = 2.0 * OF(t->x0)[i] - p6 * OF(t->x1)[i] + g * X2 + b2 * Y;
+        INTO(l->uv)[i] = g1 * X1 + b1 * Y1;
+        INTO(l->vv)[i] = 2.0 * OF(t->y0)[i] - q6 * OF(t->y1)[i] + b * Y2 + g2 * X;
     }
 }

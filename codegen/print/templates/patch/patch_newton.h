@@ -1,13 +1,5 @@
 /* Newton's steps on patches. */
 
-FOOTPOINT_PART void footpoint_detail_KIND_expand(const REAL *const *x,
-                                                 footpoint_detail_KIND_terms *t)
-{
-    footpoint_detail_bent bent[4];
-    footpoint_detail_net_edges(x, bent, &t->net);
-    footpoint_detail_KIND_shape(x + 4, bent, t);
-}
-
 /* Clamps p to the patch. */
 FOOTPOINT_PART REAL footpoint_detail_KIND_kept(REAL p)
 {

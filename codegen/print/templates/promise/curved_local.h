@@ -2,7 +2,7 @@
 
 /* Tangents u = r_xi and v = r_eta, second derivatives, and d = xS - r. */
 typedef struct {
-    REAL u[3], v[3], uu[3], uv[3], vv[3], d[3];
+    REAL u[4], v[4], uu[4], uv[4], vv[4], d[4]; /* the last of four: see patch_three.h */
 } footpoint_detail_local;
 
 /* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the squared distance and per = 1 / det. */
