@@ -29,7 +29,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
         case $kind in tri*) shape=triangle corners=3 ;; *) shape=square corners=4 ;; esac
         case $kind in
         *_lanes) net=lane_net three='TRIPLE REAL,ROOM 3,THREE 3,OF ,INTO ' ;;
-        *) net=net three='TRIPLE footpoint_detail_four,ROOM 4,THREE FOOTPOINT_DETAIL_THREE,OF footpoint_detail_of,INTO footpoint_detail_into' ;;
+        *) net=net three='TRIPLE footpoint_detail_pack,ROOM 4,THREE FOOTPOINT_DETAIL_THREE,OF footpoint_detail_of,INTO footpoint_detail_into' ;;
         esac
         words="PROMISE VECTORS SEGMENT_VECTORS NODES CORNERS COORDINATES SCALED_NODES SCALABLE COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS REACH_TO_GROWTH VECTOR_ROWS LEAST_SIZE"
         printf '%s\n' "#define VECTORS $((others + 1))" "#define SEGMENT_VECTORS $others" "#define NODES $nodes" "#define CORNERS $corners" "#define SCALABLE 1" "#define PROMISE 1e-7" \

@@ -4,11 +4,11 @@
 FOOTPOINT_PART void footpoint_detail_KIND_edges(REAL x[9][4], footpoint_detail_net_bent bent[4],
                                                 footpoint_detail_net *t)
 {
-    const footpoint_detail_four *const a = footpoint_detail_of(x[0]);
-    const footpoint_detail_four *const b = footpoint_detail_of(x[1]);
-    const footpoint_detail_four *const c = footpoint_detail_of(x[2]);
-    const footpoint_detail_four *const d = footpoint_detail_of(x[3]);
-    const footpoint_detail_four *const s = footpoint_detail_of(x[8]);
+    const footpoint_detail_pack *const a = footpoint_detail_of(x[0]);
+    const footpoint_detail_pack *const b = footpoint_detail_of(x[1]);
+    const footpoint_detail_pack *const c = footpoint_detail_of(x[2]);
+    const footpoint_detail_pack *const d = footpoint_detail_of(x[3]);
+    const footpoint_detail_pack *const s = footpoint_detail_of(x[8]);
     int i;
     FOOTPOINT_UNROLL
     for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {

@@ -28,7 +28,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_net_
             const int ends = m ? c > 1 : c == 1 || c == 2;
             FOOTPOINT_UNROLL
             for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
-                const footpoint_detail_four edge = third * footpoint_detail_of(t->edge)[i];
+                const footpoint_detail_pack edge = third * footpoint_detail_of(t->edge)[i];
                 if (ends)
                     footpoint_detail_into(b[c][m])[i] =
                         rise * footpoint_detail_of(t->end)[i] - edge;
@@ -95,14 +95,14 @@ FOOTPOINT_PART void footpoint_detail_gregory_shape(const REAL *const *n,
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const int o = m ? 3 - c : c ^ 1, ends = m ? c > 1 : c == 1 || c == 2;
-            const footpoint_detail_four *const edge =
+            const footpoint_detail_pack *const edge =
                 footpoint_detail_of(bent[footpoint_detail_gregory_edge(c, m)].edge);
-            const footpoint_detail_four *const here = footpoint_detail_of(b[c][m]);
-            const footpoint_detail_four *const there = footpoint_detail_of(b[o][m]);
+            const footpoint_detail_pack *const here = footpoint_detail_of(b[c][m]);
+            const footpoint_detail_pack *const there = footpoint_detail_of(b[o][m]);
             const REAL sum = k[c][m] - k[o][m], twice = 2.0 * l[c][m], sign = ends ? -1.0 : 1.0;
             FOOTPOINT_UNROLL
             for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
-                const footpoint_detail_four middle = sign * edge[i] + (there[i] - here[i]);
+                const footpoint_detail_pack middle = sign * edge[i] + (there[i] - here[i]);
                 footpoint_detail_into(made[m])[i] =
                     3.0 * (sum * footpoint_detail_of(turn[c][m])[i] -
                            k[c][m] * footpoint_detail_of(turn[o][m])[i] +
@@ -112,7 +112,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_shape(const REAL *const *n,
         }
         FOOTPOINT_UNROLL
         for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
-            const footpoint_detail_four side = footpoint_detail_of(made[1])[i];
+            const footpoint_detail_pack side = footpoint_detail_of(made[1])[i];
             footpoint_detail_into(t->side[c])[i] = side;
             footpoint_detail_into(t->twist[c])[i] = footpoint_detail_of(made[0])[i] - side;
         }
@@ -149,16 +149,16 @@ FOOTPOINT_PART void footpoint_detail_gregory_corners(REAL p, REAL q, const REAL 
     footpoint_detail_join(0.5, 0.5, -0.5, -0.5, across);
     FOOTPOINT_UNROLL
     for (c = 0; c < FOOTPOINT_DETAIL_FOUR; c++) {
-        const footpoint_detail_four sx = footpoint_detail_of(along)[c];
-        const footpoint_detail_four sy = footpoint_detail_of(across)[c];
-        const footpoint_detail_four x = 0.5 + sx * p, y = 0.5 + sy * q, X = 1.0 - x, Y = 1.0 - y;
-        const footpoint_detail_four f = X * X, g = Y * Y, m = x * f, n = y * g;
-        const footpoint_detail_four a = x * footpoint_detail_of(near)[c];
-        const footpoint_detail_four b = y * footpoint_detail_of(near)[c];
-        const footpoint_detail_four m1 = sx * (X * (X - (x + x))), n1 = sy * (Y * (Y - (y + y)));
-        const footpoint_detail_four h = x * y * a, hx = y * a * (1.0 + b), hy = x * (a * a);
-        const footpoint_detail_four f1 = -2.0 * X, g1 = -2.0 * Y;
-        const footpoint_detail_four fg = f * g, fg1 = f * g1, f1g = f1 * g;
+        const footpoint_detail_pack sx = footpoint_detail_of(along)[c];
+        const footpoint_detail_pack sy = footpoint_detail_of(across)[c];
+        const footpoint_detail_pack x = 0.5 + sx * p, y = 0.5 + sy * q, X = 1.0 - x, Y = 1.0 - y;
+        const footpoint_detail_pack f = X * X, g = Y * Y, m = x * f, n = y * g;
+        const footpoint_detail_pack a = x * footpoint_detail_of(near)[c];
+        const footpoint_detail_pack b = y * footpoint_detail_of(near)[c];
+        const footpoint_detail_pack m1 = sx * (X * (X - (x + x))), n1 = sy * (Y * (Y - (y + y)));
+        const footpoint_detail_pack h = x * y * a, hx = y * a * (1.0 + b), hy = x * (a * a);
+        const footpoint_detail_pack f1 = -2.0 * X, g1 = -2.0 * Y;
+        const footpoint_detail_pack fg = f * g, fg1 = f * g1, f1g = f1 * g;
         footpoint_detail_into(side[0])[c] = m * n;
         footpoint_detail_into(side[1])[c] = m1 * n;
         footpoint_detail_into(side[2])[c] = m * n1;
@@ -188,8 +188,8 @@ FOOTPOINT_PART void footpoint_detail_gregory_local(const footpoint_detail_gregor
     for (c = 0; c < 4; c++) {
         FOOTPOINT_UNROLL
         for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
-            const footpoint_detail_four y = footpoint_detail_of(t->side[c])[i];
-            const footpoint_detail_four z = footpoint_detail_of(t->twist[c])[i];
+            const footpoint_detail_pack y = footpoint_detail_of(t->side[c])[i];
+            const footpoint_detail_pack z = footpoint_detail_of(t->twist[c])[i];
             footpoint_detail_into(l->d)[i] -= s[0][c] * y + w[0][c] * z;
             footpoint_detail_into(l->u)[i] += s[1][c] * y + w[1][c] * z;
             footpoint_detail_into(l->v)[i] += s[2][c] * y + w[2][c] * z;

@@ -1,31 +1,41 @@
 /* Vectors of single calls: all coordinates side by side where compilers have vectors of four numbers. */
 
-/* Three coordinates and 0, or the four corners: side by side, or in as many turns of a loop. Both round alike. */
+/* As many of three coordinates and 0, or of four corners, as a register takes: loops over them take THREE or FOUR turns.
+ * Each number rounds as it does without vectors. */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-typedef REAL footpoint_detail_four
-    __attribute__((vector_size(4 * sizeof(REAL)), aligned(sizeof(REAL)), may_alias));
-enum { FOOTPOINT_DETAIL_THREE = 1, FOOTPOINT_DETAIL_FOUR = 1 };
+#define FOOTPOINT_DETAIL_PACKED
+#ifdef __AVX__
+enum { FOOTPOINT_DETAIL_PACK = 4, FOOTPOINT_DETAIL_THREE = 1, FOOTPOINT_DETAIL_FOUR = 1 };
 #else
-typedef REAL footpoint_detail_four;
+enum { FOOTPOINT_DETAIL_PACK = 2, FOOTPOINT_DETAIL_THREE = 2, FOOTPOINT_DETAIL_FOUR = 2 };
+#endif
+typedef REAL footpoint_detail_pack __attribute__((vector_size(FOOTPOINT_DETAIL_PACK * sizeof(REAL)),
+                                                  aligned(sizeof(REAL)), may_alias));
+#else
 enum { FOOTPOINT_DETAIL_THREE = 3, FOOTPOINT_DETAIL_FOUR = 4 };
+typedef REAL footpoint_detail_pack;
 #endif
 
-FOOTPOINT_PART const footpoint_detail_four *footpoint_detail_of(const REAL a[4])
+FOOTPOINT_PART const footpoint_detail_pack *footpoint_detail_of(const REAL a[4])
 {
-    return (const footpoint_detail_four *)(const void *)a;
+    return (const footpoint_detail_pack *)(const void *)a;
 }
 
-FOOTPOINT_PART footpoint_detail_four *footpoint_detail_into(REAL a[4])
+FOOTPOINT_PART footpoint_detail_pack *footpoint_detail_into(REAL a[4])
 {
-    return (footpoint_detail_four *)(void *)a;
+    return (footpoint_detail_pack *)(void *)a;
 }
 
 /* Writes all at once: vectors are read from memory without delay only if they were written as vectors. */
 FOOTPOINT_PART void footpoint_detail_join(REAL x, REAL y, REAL z, REAL w, REAL a[4])
 {
-#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    const footpoint_detail_four all = {x, y, z, w};
-    *footpoint_detail_into(a) = all;
+#if defined(FOOTPOINT_DETAIL_PACKED) && defined(__AVX__)
+    const footpoint_detail_pack all = {x, y, z, w};
+    footpoint_detail_into(a)[0] = all;
+#elif defined(FOOTPOINT_DETAIL_PACKED)
+    const footpoint_detail_pack first = {x, y}, second = {z, w};
+    footpoint_detail_into(a)[0] = first;
+    footpoint_detail_into(a)[1] = second;
 #else
     a[0] = x;
     a[1] = y;
@@ -43,6 +53,7 @@ FOOTPOINT_PART void footpoint_detail_across(const REAL a[4], const REAL b[4], RE
     footpoint_detail_join(a[2], a[0], a[1], 0.0, a2);
     footpoint_detail_join(b[1], b[2], b[0], 0.0, b1);
     footpoint_detail_join(b[2], b[0], b[1], 0.0, b2);
+    FOOTPOINT_UNROLL
     for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++)
         footpoint_detail_into(c)[i] = footpoint_detail_of(a1)[i] * footpoint_detail_of(b2)[i] -
                                       footpoint_detail_of(a2)[i] * footpoint_detail_of(b1)[i];
