@@ -185,18 +185,28 @@ FOOTPOINT_PART void footpoint_detail_gregory_local(const footpoint_detail_gregor
     footpoint_detail_gregory_near(p, q, near);
     footpoint_detail_gregory_corners(p, q, near, s, w);
     FOOTPOINT_UNROLL
-    for (c = 0; c < 4; c++) {
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        footpoint_detail_pack d = footpoint_detail_of(l->d)[i], u = footpoint_detail_of(l->u)[i];
+        footpoint_detail_pack v = footpoint_detail_of(l->v)[i], uu = footpoint_detail_of(l->uu)[i];
+        footpoint_detail_pack uv = footpoint_detail_of(l->uv)[i],
+                              vv = footpoint_detail_of(l->vv)[i];
         FOOTPOINT_UNROLL
-        for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        for (c = 0; c < 4; c++) {
             const footpoint_detail_pack y = footpoint_detail_of(t->side[c])[i];
             const footpoint_detail_pack z = footpoint_detail_of(t->twist[c])[i];
-            footpoint_detail_into(l->d)[i] -= s[0][c] * y + w[0][c] * z;
-            footpoint_detail_into(l->u)[i] += s[1][c] * y + w[1][c] * z;
-            footpoint_detail_into(l->v)[i] += s[2][c] * y + w[2][c] * z;
-            footpoint_detail_into(l->uu)[i] += s[3][c] * y + w[3][c] * z;
-            footpoint_detail_into(l->uv)[i] += s[4][c] * y + w[4][c] * z;
-            footpoint_detail_into(l->vv)[i] += s[5][c] * y + w[5][c] * z;
+            d -= s[0][c] * y + w[0][c] * z;
+            u += s[1][c] * y + w[1][c] * z;
+            v += s[2][c] * y + w[2][c] * z;
+            uu += s[3][c] * y + w[3][c] * z;
+            uv += s[4][c] * y + w[4][c] * z;
+            vv += s[5][c] * y + w[5][c] * z;
         }
+        footpoint_detail_into(l->d)[i] = d;
+        footpoint_detail_into(l->u)[i] = u;
+        footpoint_detail_into(l->v)[i] = v;
+        footpoint_detail_into(l->uu)[i] = uu;
+        footpoint_detail_into(l->uv)[i] = uv;
+        footpoint_detail_into(l->vv)[i] = vv;
     }
 }
 

@@ -71,25 +71,34 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
 }
 
-/* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step. If that step is short
- * (`near`), the gap and its normal follow from the values before it, to its second order. */
-FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_patch(const REAL *const *x, REAL promise, int bare,
-                                                     int near, REAL least, REAL *xi, REAL *eta,
-                                                     REAL *gap)
+/* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step, or the next two inside
+ * the patch if their steps are short. If the last step is short (`near`), the gap and its normal follow from the values
+ * before it, to its second order. */
+FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_patch(const REAL *const *x, REAL promise, int bare,
+                                                      int near, REAL least, REAL *xi, REAL *eta,
+                                                      REAL *gap)
 {
     footpoint_detail_KIND_terms of;
     footpoint_detail_local r;
-    REAL_BITS doubt;
-    REAL p = *xi, q = *eta, size;
+    footpoint_detail_newton n;
+    REAL_BITS doubt = 0, goes_on = (REAL_BITS)1 << REAL_TOP;
+    REAL p = 0.0, q = 0.0, size;
     int k;
     footpoint_detail_KIND_expand(x, &of);
-    FOOTPOINT_UNROLL
-    for (k = 0; k < bare; k++)
-        footpoint_detail_KIND_bare(&of, &p, &q);
-    footpoint_detail_KIND_local(&of, p, q, &r);
-    *xi = p;
-    *eta = q;
-    doubt = footpoint_detail_KIND_step(&of, &r, promise, xi, eta);
+    for (k = 0; k < bare + 3 && goes_on >> REAL_TOP; k++) {
+        p = *xi;
+        q = *eta;
+        footpoint_detail_KIND_local(&of, p, q, &r);
+        if (k < bare) {
+            footpoint_detail_newton_of(&r, &n);
+            footpoint_detail_KIND_correct(&r, &n, xi, eta);
+        } else {
+            doubt = footpoint_detail_KIND_step(&of, &r, promise, xi, eta);
+            goes_on = doubt & footpoint_detail_below(*xi - p, 0.25) &
+                      footpoint_detail_below(*eta - q, 0.25) & footpoint_detail_below(*xi, 1.0) &
+                      footpoint_detail_below(*eta, 1.0);
+        }
+    }
     if (near)
         footpoint_detail_KIND_follow(*xi - p, *eta - q, &r);
     else
