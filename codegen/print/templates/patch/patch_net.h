@@ -26,7 +26,7 @@ typedef struct {
     REAL edge[ROOM], begin[ROOM], end[ROOM];
 } footpoint_detail_NET_bent;
 
-FOOTPOINT_PART void footpoint_detail_NET_bend(const REAL m[3], const REAL n[3],
+FOOTPOINT_PART void footpoint_detail_NET_bend(const REAL m[ROOM], const REAL n[ROOM],
                                               footpoint_detail_NET_bent *t)
 {
     const REAL first = 0.125 * footpoint_detail_dot(t->edge, m);

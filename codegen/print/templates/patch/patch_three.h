@@ -16,12 +16,12 @@ enum { FOOTPOINT_DETAIL_THREE = 3, FOOTPOINT_DETAIL_FOUR = 4 };
 typedef REAL footpoint_detail_pack;
 #endif
 
-FOOTPOINT_PART const footpoint_detail_pack *footpoint_detail_of(const REAL a[4])
+FOOTPOINT_PART const footpoint_detail_pack *footpoint_detail_of(const REAL *a)
 {
     return (const footpoint_detail_pack *)(const void *)a;
 }
 
-FOOTPOINT_PART footpoint_detail_pack *footpoint_detail_into(REAL a[4])
+FOOTPOINT_PART footpoint_detail_pack *footpoint_detail_into(REAL *a)
 {
     return (footpoint_detail_pack *)(void *)a;
 }
