@@ -162,11 +162,12 @@ for header in $headers; do
     report $((status == 0)) "$name answers there as here"
 done
 
-# All functions, called from one kernel; without optimisation, which takes minutes a header and refuses nothing.
+# All functions, called from one kernel; neither inlined nor optimised, which takes minutes a header and refuses nothing.
+apart='-DFOOTPOINT_FN=static __host__ __device__ __noinline__'
 for header in generated/*.h; do
     device_kernel "$PWD/$header" > "$work/$(basename "$header" .h).every.cu"
 done
-(cd "$work" && ls ./*.every.cu | xargs -P "$(nproc)" -I{} sh -c 'nvcc -ptx -Xcicc -O0 {} -o {}.ptx > {}.log 2>&1')
+(cd "$work" && ls ./*.every.cu | xargs -P "$(nproc)" -I{} sh -c 'nvcc -ptx -Xcicc -O0 "'"$apart"'" {} -o {}.ptx > {}.log 2>&1')
 for header in generated/*.h; do
     name=$(basename "$header" .h)
     [ -e "$work/$name.every.cu.ptx" ] || sed 's/^/# /' "$work/$name.every.cu.log" | head -20
