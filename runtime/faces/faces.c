@@ -147,15 +147,33 @@ static double distance_at(const struct face *f, const double *x, const double lo
     return sqrt(square);
 }
 
+/* Finds the closest point by a certain search, from `at` and, where that is not proved, from the middle: on some slim faces the
+ * descent from one of them crawls. */
+static int closest_for_certain(int nodes, const double *x, const double at[2], double loc[2], double *distance)
+{
+    const double middle = nodes == 6 ? 1.0 / 3.0 : 0.0, from[2] = {middle, middle};
+    int boxes = MOST_BOXES;
+    double second[2], away;
+    const int status = footpoint_quadratic_closest(nodes, x, at ? at : from, loc, distance, &boxes);
+    if (status != FOOTPOINT_UNPROVED || !at)
+        return status;
+    const int other = footpoint_quadratic_closest(nodes, x, from, second, &away, &boxes);
+    if (other == FOOTPOINT_UNPROVED && !(away < *distance))
+        return status;
+    loc[0] = second[0];
+    loc[1] = second[1];
+    *distance = away;
+    return other;
+}
+
 /* Finds the closest point: the header's foot point if it is proved to be closest, its closest point if that is proved, otherwise
  * by a certain search. */
 static int closest_of_curved(const struct face *f, const double *x, const struct robust_start *start, double loc[2],
                              double *distance)
 {
-    const double middle = f->pairs.nodes == 6 ? 1.0 / 3.0 : 0.0, from[2] = {middle, middle};
     const struct rows r = rows_of(f, x);
     double at[2] = {start->loc[0], start->loc[1]}, away = start->distance;
-    int boxes = MOST_BOXES, region;
+    int region;
     if (is_of_ordinary_size(f, x) && ((start->status == FOOTPOINT_OK && f->is_closest(r.x, r.s, at)) ||
                                       f->closest(r.x, r.s, at, &away, &region) == FOOTPOINT_OK)) {
         loc[0] = at[0];
@@ -163,8 +181,7 @@ static int closest_of_curved(const struct face *f, const double *x, const struct
         *distance = distance_at(f, x, loc, fabs(away));
         return FOOTPOINT_OK;
     }
-    return footpoint_quadratic_closest(f->pairs.nodes, x, start->status >= FOOTPOINT_OK ? start->loc : from, loc,
-                                       distance, &boxes);
+    return closest_for_certain(f->pairs.nodes, x, start->status >= FOOTPOINT_OK ? start->loc : NULL, loc, distance);
 }
 
 /* Completes footpoint_face_robust from the results of f->start. */
