@@ -2,6 +2,7 @@
 #include "../../codegen/region/region.h"
 #include "../../evolve/region/shape_region.h"
 #include "../../evolve/samples/samples.h"
+#include "../support/long_cases.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -33,7 +34,7 @@ static void check_scene(const char *named)
     struct sample_set set = {0};
     struct scene *s = scene_read("", named, &d);
     assert_non_null(s);
-    s->training = getenv("FOOTPOINT_LONG") ? 20000 : 200;
+    s->training = (size_t)long_cases(200, 20000);
     snprintf(path, sizeof path, "evolve/genomes/%s.gen", named);
     struct genome_file *f = genome_read(path, &d);
     assert_non_null(f);

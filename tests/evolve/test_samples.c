@@ -1,4 +1,5 @@
 /* Samples of scenes: parts share nothing, labels are foot points, limits are kept. */
+#include "../support/long_cases.h"
 #include "../support/scene_text.h"
 
 static int by_configuration(const void *a, const void *b)
@@ -50,7 +51,7 @@ static void parts_share_nothing(void **state)
     static const char *const text[] = {HEAD SHAPES TAIL, HEAD LATTICE TAIL};
     static const char *const name[] = {
         "quad4", "rectangle-quad4", "bricks-quad4", "punch-quad4", "blocks-quad4", "tri6", "quad8"};
-    const size_t heldout = getenv("FOOTPOINT_LONG") ? 20000 : 400;
+    const size_t heldout = (size_t)long_cases(400, 20000);
     struct diag d;
     (void)state;
     if (heldout == 400)

@@ -5,6 +5,7 @@
 #include "../../evolve/surface/surface.h"
 #include "../../runtime/footpoint.h"
 #include "../support/error_stats.h"
+#include "../support/long_cases.h"
 #include "header_functions.h"
 #include "headers_long.h"
 
@@ -37,7 +38,7 @@ struct moved {
  * skipped with the smaller. */
 static size_t samples(void)
 {
-    return getenv("FOOTPOINT_LONG") ? 20000 : 500;
+    return (size_t)long_cases(500, 20000);
 }
 
 static void move(const struct segment_kind *kind, const struct sample *s, double edges, struct moved *m)

@@ -368,7 +368,7 @@ static quadruple slope_on_line(const struct exact_face *f, const quadruple *at, 
  * turns back. Rounding leaves some area there. */
 static void lines_have_no_normal(void **state)
 {
-    const int faces = getenv("FOOTPOINT_LONG") ? 2000 : 200;
+    const long faces = long_cases(200, 2000);
     (void)state;
     gsl_rng *stream = stream_new();
     stream_key(stream, 20245, 0, 0, 0);
@@ -405,7 +405,7 @@ static void lines_have_no_normal(void **state)
 /* The same at places up to 1e9 away, where a tangent is a sum of large terms that cancel. */
 static void lines_have_no_normal_far_away(void **state)
 {
-    const int faces = getenv("FOOTPOINT_LONG") ? 1000 : 100;
+    const long faces = long_cases(100, 1000);
     (void)state;
     gsl_rng *stream = stream_new();
     stream_key(stream, 20246, 0, 0, 0);
@@ -442,7 +442,7 @@ static void lines_have_no_normal_far_away(void **state)
  * written. */
 static void rows_are_finite_or_untouched(void **state)
 {
-    const int samples = getenv("FOOTPOINT_LONG") ? 100000 : 3000;
+    const long samples = long_cases(3000, 100000);
     (void)state;
     gsl_rng *stream = stream_new();
     stream_key(stream, 20247, 0, 0, 0);

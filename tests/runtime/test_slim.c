@@ -4,6 +4,7 @@
 #include "../../evolve/common/stream.h"
 #include "../../runtime/certain/quadratic.h"
 #include "../../runtime/footpoint_face.h"
+#include "../support/long_cases.h"
 
 #include <float.h>
 #include <gsl/gsl_randist.h>
@@ -417,7 +418,7 @@ static void ask(const struct question *q, struct tally *t)
 static void slim_faces(void **state)
 {
     gsl_rng *const r = stream_new();
-    const int count = getenv("FOOTPOINT_LONG") ? SAMPLES_LONG : SAMPLES;
+    const int count = (int)long_cases(SAMPLES, SAMPLES_LONG);
     (void)state;
     for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
         struct tally t = {0};
@@ -447,7 +448,7 @@ static void slim_faces(void **state)
 static void collapsed_corners_are_one_point(void **state)
 {
     gsl_rng *const r = stream_new();
-    const int count = getenv("FOOTPOINT_LONG") ? 5000 : 100;
+    const int count = (int)long_cases(100, 5000);
     (void)state;
     stream_key(r, SEED, 99, 0, 0);
     for (enum footpoint_face face = FOOTPOINT_QUAD8; face <= FOOTPOINT_QUAD9; face++)
