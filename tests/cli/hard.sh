@@ -10,7 +10,7 @@ hard_check 'families' "$work/hard" 100
 columns() { awk -F, '!/^#/ && NF { print $1, $2, $3, $10, $11 }' "$1"; }
 columns tests/hard/hard.csv > "$work/recorded"
 expect 'as many are wrong as is recorded (make figures RECORD=1)' 0 "$(cat "$work/recorded")" '' columns "$work/table"
-later 'hard: a million calls of each certain function, not 5,000'
+later 'hard: 200,000 calls of each certain function, not 5,000'
 hard_check '5,000 calls of each certain function' "$work/hard" --certain 5000
 "$work/hard" 1 > "$work/one"
 expect 'a table of all families' 0 36 '' grep -c ',robust,' "$work/one"
