@@ -79,6 +79,9 @@ TEST_OPT_release := -O1
 TOOL_OPT_fma := -O2
 TEST_OPT_fma := -O1
 OPT_debug   := -O0 -g
+# Loops of headers take minutes to compile under the sanitizers if they are optimised.
+TEST_OPT_asan := -O0
+LIBRARY_OPT_asan := -O0
 OPT_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT_fma     := -O3 -mfma -ffp-contract=fast
 # OPENMP=1: threads share the batches of the runtime library.
@@ -142,7 +145,7 @@ $(call object,$(evolve_mpi)): private CFLAGS += $(CFLAGS_mpi)
 # Only evaluation and fits gain by more: the rest is built in two thirds of the time.
 $(call object,$(filter-out evolve/eval/% evolve/fit/% %/evaluate_lanes.c %/sampled_errors.c,$(codegen_lib) $(evolve_lib))): private CFLAGS += $(TOOL_OPT_$(CONFIG))
 # One object for the archive and the shared library.
-$(call object,$(runtime_lib)): private CFLAGS += -fPIC -fno-semantic-interposition
+$(call object,$(runtime_lib)): private CFLAGS += -fPIC -fno-semantic-interposition $(LIBRARY_OPT_$(CONFIG))
 # Proofs need sums and quotients as they stand. certain/ieee.h refuses flags that compilers announce; clang hides these.
 $(call object,$(filter runtime/certain/%,$(runtime_lib)) $(ccx_lib)): private CFLAGS += -fno-associative-math -fno-reciprocal-math
 # Tests call what is optimised; they themselves need not be.

@@ -1,15 +1,27 @@
-# Everything under the sanitizers, and with fused multiply-add; at its usual length.  Without optimisation the programs
-# are built; what they assert the sanitizers' build asserts, too.
+# The configurations. Under the sanitizers: tests of all rooms and of the library, which compiles the generated headers, too.
+# With fused multiply-add: the library, what computes bounds and fits, and promises of headers, which a contraction must not
+# break. Other tests of headers take minutes to compile and would repeat these; FOOTPOINT_CONFIGURATIONS=all runs all tests
+# in both. Without optimisation the programs are built; what they assert the sanitizers' build asserts, too.
 . tests/cli/expect.inc
 unset FOOTPOINT_LONG
-export ISAS=quick # of the bench: how fast it is is no matter here
+sources() { # sources CONFIG: of the tests to run
+    case $FOOTPOINT_CONFIGURATIONS$1 in
+    *debug) ;;
+    all*) ls tests/*/test_*.c tests/*/*/test_*.c ;;
+    asan) ls tests/codegen/test_*.c tests/evolve/test_*.c tests/paper/rivals/test_*.c tests/queries/test_*.c tests/rivals/test_*.c \
+        tests/generated/test_promise_curved.c tests/generated/test_promise_patches.c tests/runtime/test_*.c \
+        tests/support/test_*.c | grep -v test_header_bounds ;;
+    fma) ls tests/codegen/test_bound.c tests/codegen/test_program.c tests/evolve/test_kernel.c tests/evolve/test_lines.c \
+        tests/generated/test_along.c tests/generated/test_*promise*.c tests/plane/test_edge.c tests/runtime/test_*.c ;;
+    esac
+}
 for config in asan fma debug; do
-    make -s CONFIG=$config all bench-program paper-programs > "$work/log" 2>&1 && if [ $config != debug ]; then
-        make -s CONFIG=$config $(ls tests/*/test_*.c tests/*/*/test_*.c | sed "s|.*/\(.*\)\.c|build/$config/bin/tests/\1|") >> "$work/log" 2>&1
-    fi
-    report $((! $?)) "$config builds"
-    [ $config != debug ] || continue
-    for test in build/$config/bin/tests/test_*; do
+    programs=$(sources $config | sed "s|.*/\(.*\)\.c|build/$config/bin/tests/\1|")
+    make -s CONFIG=$config $([ $config = fma ] || echo all) $programs > "$work/log" 2>&1
+    good=$?
+    [ $good -eq 0 ] || tail -20 "$work/log" | sed 's/^/# /'
+    report $((!good)) "$config builds"
+    for test in $programs; do
         "$test" > "$work/log" 2>&1
         good=$?
         [ $good -eq 0 ] || tail -20 "$work/log" | sed 's/^/# /'
