@@ -12,7 +12,7 @@
 
 bool closest_exists(const struct unit *u)
 {
-    return u->file->order == CORNERS_ANY;
+    return u->file->order == CORNERS_ANY && promise_kind_of(u) != PROMISE_NONE;
 }
 
 /* Prints a template that several kinds share. */
