@@ -475,7 +475,7 @@ check-long: ## all tests on more cases, and the long ones; what compares times b
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))
 
-bench-record: bench-program ## measure quad4 into tests/report/machines, for README.md: ISAS=
+bench-record: bench-program ## measure this machine into tests/report/machines, for the READMEs (minutes): ISAS=
 	$(Q)sh tests/report/record.sh $(BIN)/footpoint-bench $(ISAS)
 
 PERCEPTRONS := --scene paper-quad4 --hidden 8 --hidden 16 --hidden 16,16 --iterations 100

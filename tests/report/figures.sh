@@ -1,16 +1,47 @@
 #!/bin/sh
 # figures.sh: fills the parts of READMEs between "<!-- figures NAME -->" and "<!-- end -->" from what commands wrote: headers,
-# genomes, tests/report/machines/*.csv, tests/hard/hard.csv.
+# genomes, tests/report/machines/, tests/hard/hard.csv, tests/calculix/models.csv (from tests/long/calculix.sh).
 # figures.sh --check: changes nothing; names the parts that differ, and fails if there are any.
 # figures.sh --record: writes tests/hard/hard.csv first, a hundred hard cases of each family (a minute).
 . tests/hard/build.inc
-documents='README.md tests/README.md'
+documents='README.md generated/README.md runtime/README.md tests/README.md'
 work=$(mktemp -d) || exit 3
 trap 'rm -rf "$work"' EXIT
 
-# The table of the front page.
-figures_quad4() {
-    awk -f tests/report/front_page.awk generated/footpoint_quad4.h evolve/genomes/quad4.gen tests/report/machines/*.csv
+# recorded PROGRAM PART SCENE: a table of recorded times
+recorded() {
+    awk -v part="$2" -f tests/report/recorded.awk -f "tests/report/$1.awk" "generated/footpoint_$3.h" "evolve/genomes/$3.gen" \
+        tests/report/machines/*.csv
+}
+impact() { awk -v part="$1" -f tests/report/impact.awk tests/report/machines/*-impact.txt; }
+# calculix: models; how many times faster our search is; the share of CalculiX's search in all models and the largest, in per
+# cent; the largest relative difference of results
+calculix() {
+    awk -F, 'NR == 1 { next }
+        { theirs += $3; ours += $4; whole += $5; if (100 * $3 / $5 > most) most = 100 * $3 / $5
+          for (i = 7; i <= 10; i++) if ($i != "-" && $i + 0 > apart + 0) apart = $i }
+        END { sub(/e-0/, "e-", apart); printf "%d %.0f %.0f %.0f %s\n", NR - 1, theirs / ours, 100 * theirs / whole, most, apart }' tests/calculix/models.csv
+}
+
+figures_quad4() { recorded front_page quad4 quad4; }
+figures_loses() {
+    recorded front_page last quad4
+    echo "- Local search is rarely the bottleneck. By Newton's iteration it takes $(impact share) % of the time of our explicit impact"
+    calculix | while read -r models factor share rest; do
+        echo "  example, and $share % of the time of $models CalculiX models ([runtime](runtime/README.md#in-other-codes))."
+    done
+}
+figures_speed() { recorded header_speeds speed quad4; }
+figures_calls() { recorded header_speeds calls quad4; }
+figures_derivatives() { recorded header_speeds derivatives quad4; }
+figures_gregory() { recorded header_speeds gregory gregory; }
+figures_bezier() { recorded header_speeds bezier bezier; }
+figures_impact() { impact impact; }
+figures_calculix() {
+    calculix | while read -r models factor share most apart; do
+        echo "In $models models (\`tests/long/calculix.sh\`), a search takes 1/$factor of the time of CalculiX's, and displacements, gaps and contact"
+        echo "stresses agree to $apart of the largest. Searching took $share % of CalculiX's time, at most $most % of a model's."
+    done
 }
 
 figures_hard() {

@@ -124,13 +124,6 @@ heldout() {
         '/^genome/ { on = $2 == g } on && $2 == note { printf "%.1e %.1e %.1e %.1e\n", $(6 + k), $(9 + k), $(12 + k), $14 == "climbing" ? $(15 + k) : $(12 + k) }' \
         "evolve/genomes/$1.gen" | sed 's/e-0/e-/g'
 }
-for f in fast coarse gauss2 medium balanced fine precise accurate full; do
-    counted=$(operations quad4 footpoint_quad4_$f) noted=$(heldout quad4 $f heldout_xi)
-    row=$(sed -n "s/^| \*\*footpoint_quad4_$f\*\* | \([0-9]*\) | \([0-9]*\) | \([0-9]*\) |.*/\1 \2 \3/p" generated/README.md)
-    [ -n "$row" ] && [ "$row" = "$counted" ]; report $((! $?)) "operations of quad4_$f"
-    row=$(awk -F' \\| ' -v f="footpoint_quad4_$f" 'index($1, "**" f "**") { sub(/ \|$/, "", $9); print $7, $8, $9 }' generated/README.md)
-    [ -n "$row" ] && [ "$row" = "${noted% *}" ]; report $((! $?)) "errors of quad4_$f"
-done
 for kind in tri3 quad4 tri6 quad8 quad9 bezier gregory; do # of derivatives: mul div add sqrt, both in a row if there are two
     counted=$(for f in gradients hessian; do
         told "generated/footpoint_${kind}_derivatives.h" footpoint_${kind}_$f operations
@@ -149,16 +142,6 @@ for f in coarse balanced accurate; do
     counted=$(operations paper_quad4 footpoint_paper_quad4_$f)
     [ "$row" = "${counted% *} $1 / $5 $2 / $6" ]; report $((! $?)) "paper_quad4_$f"
 done
-for kind in gregory bezier; do
-    for f in facet normals smooth corrected precise exact full; do
-        set -- $(heldout $kind $f heldout_xi)
-        [ -n "$1" ] || continue
-        row=$(awk -F' *\\| *' -v f="\`_$f\`" -v kind=$kind '/^\| (gregory|bezier) \|/ { on = $2 == kind } on && $2 == f { print $3, $4; exit }' \
-            generated/README.md)
-        [ "$row" = "$1 $4" ]; report $((! $?)) "errors of ${kind}_$f"
-    done
-done
-
 # Functions that were bred: trees of more than one gene, and programs with a seed; the others were derived by hand.
 searches=$(ls generated/*.h | grep -v _derivatives)
 functions=$(cat $searches | grep -c '^ \*   operations:') exact=$(cat $searches | grep -cE '^ \*   exact(_xi)?:')
