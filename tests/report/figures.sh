@@ -36,6 +36,12 @@ figures_calls() { recorded header_speeds calls quad4; }
 figures_derivatives() { recorded header_speeds derivatives quad4; }
 figures_gregory() { recorded header_speeds gregory gregory; }
 figures_bezier() { recorded header_speeds bezier bezier; }
+figures_sizes() {
+    wc -c generated/*.h | awk '$2 == "total" { next } { k = $2 ~ /_derivatives/; size = int($1 / 1e4 + 0.5) * 10
+            if (!(k in low) || size < low[k]) low[k] = size
+            if (size > high[k]) high[k] = size }
+        END { print "A header has " low[0] " to " high[0] " kB, one of derivatives " low[1] " to " high[1] " kB (`sh tests/report/header_sizes.sh`)." }'
+}
 figures_impact() { impact impact; }
 figures_calculix() {
     calculix | while read -r models factor share most apart; do

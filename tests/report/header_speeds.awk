@@ -71,9 +71,10 @@ function patch(name,    f) {
     print "| `_" name "` | " short(mean[name]) " | " short(climbed[name]) " | " both(f, "scalar") " | " both(f, "batch") " | " \
         short(promise[f], "%.0e") " |"
 }
-function both(f, mode,    plain) {
-    plain = against("patch_newton_plain", f, mode)
-    return plain == "" ? "" : plain " (" against("patch_newton", f, mode) ")"
+function both(f, mode,    newton, plain) {
+    newton = (scene == "bezier" ? "bezier_" : "") "patch_newton"
+    plain = against(newton "_plain", f, mode)
+    return plain == "" ? "" : plain " (" against(newton, f, mode) ")"
 }
 function patches(    name, i, n) {
     scene = part
@@ -87,5 +88,5 @@ END {
     else if (part == "calls") calls()
     else if (part == "derivatives") derivatives()
     else patches()
-    if (part == "speed" || part == "gregory") print "\nMeasured on " machines "."
+    if (part == "speed") print "\nMeasured on " machines "."
 }
