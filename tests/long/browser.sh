@@ -22,7 +22,10 @@ addEventListener('load', () => {
     const broken = [...document.querySelectorAll('a[href^="#"]')].filter(a => !document.querySelector(CSS.escape ?
         '#' + CSS.escape(a.getAttribute('href').slice(1)) : a.getAttribute('href')))
     const faint = images.filter(i => i.clientWidth * 10.5 < i.naturalWidth * 9) // the smallest letters have 10.5 pixels
-    document.title = ['seen', innerWidth, images.length, missing.length, cut.length, broken.length, faint.length,
+    const wide = images.filter(i => !i.src.includes('-map') && i.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
+    const order = ['loses', 'hard', 'times', 'machines'].map(id => document.getElementById(id).getBoundingClientRect().top)
+    const sorted = order[0] < 200 && order.every((top, i) => i == 0 || top > order[i - 1])
+    document.title = ['seen', innerWidth, images.length, missing.length, cut.length, broken.length, faint.length, wide.length, sorted,
         cut.slice(0, 3).map(e => e.tagName + e.className)].join(' ')
 })
 </script>
@@ -42,6 +45,8 @@ for width in 1280 400; do
     [ "$5" = 0 ]; report $((! $?)) "$width pixels: nothing is cut off"
     [ "$6" = 0 ]; report $((! $?)) "$width pixels: links within the page"
     [ "$7" = 0 ]; report $((! $?)) "$width pixels: letters of pictures have 9 pixels"
+    [ "$8" = 0 ]; report $((! $?)) "$width pixels: pictures fit, maps scroll"
+    [ "$9" = true ]; report $((! $?)) "$width pixels: losses on the first screen, then hard cases, times, machines"
 done
 
 awk -v what=wavy -f tests/meshes/own.awk > "$work/own.inp"

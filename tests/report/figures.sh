@@ -45,8 +45,8 @@ figures_sizes() {
 figures_impact() { impact impact; }
 figures_calculix() {
     calculix | while read -r models factor share most apart; do
-        echo "In $models models (\`tests/long/calculix.sh\`), a search takes 1/$factor of the time of CalculiX's, and displacements, gaps and contact"
-        echo "stresses agree to $apart of the largest. Searching took $share % of CalculiX's time, at most $most % of a model's."
+        echo "In $models models (\`tests/long/calculix.sh\`), a search takes 1/$factor of the time of CalculiX's, and displacements, gaps"
+        echo "and contact stresses agree to $apart of the largest. Searching took $share % of CalculiX's time, at most $most % of a model's."
     done
 }
 

@@ -1,8 +1,11 @@
-# Prints a table in HTML from the output of the hard cases (tests/hard/hard_main.c): a row for each family; for each
-# method the number of cases with an answer, with another status, and with a wrong answer or status, and the worst
-# error.
+# Prints tables in HTML from the output of the hard cases (tests/hard/hard_main.c): a row for each method, those first that
+# must not be wrong; then the wrong answers and statuses of each family.
 #     awk -f hard.awk hard.csv
-BEGIN { FS = "," }
+BEGIN {
+    FS = ","
+    methods = split("header locate robust stationary float float_all expression newton trust_region", method, " ")
+    for (k = 1; k <= 6; k++) certified[method[k]]
+}
 /^#/ { next }
 NF && $1 == "family" {
     for (i = 1; i <= NF; i++) column[$i] = i
@@ -10,26 +13,30 @@ NF && $1 == "family" {
 }
 function get(what) { return $column[what] }
 {
-    if (!(get("family") in seen_family)) { seen_family[get("family")]; family[++families] = get("family") }
-    if (!(get("method") in seen_method)) { seen_method[get("method")]; method[++methods] = get("method") }
-    wrong = get("wrong") + get("wrong_status")
-    cells[get("family"), get("method")] = "<td>" get("ok") + get("outside") "</td><td>" \
-        get("not_unique") + get("unproved") + get("refused") "</td><td>" (wrong ? "<b>" wrong "</b>" : 0) "</td><td>" get("worst") "</td>"
-    total[get("method")] += wrong
-    n = get("n")
+    m = get("method")
+    if (!(get("family") in seen)) { seen[get("family")]; family[++families] = get("family") }
+    n[m] += get("n")
+    answers[m] += get("ok") + get("outside")
+    statuses[m] += get("not_unique") + get("unproved") + get("refused")
+    wrong[m] += wrong_in[get("family"), m] = get("wrong") + get("wrong_status")
 }
+function marked(number) { return number ? "<b>" number "</b>" : number + 0 }
 END {
-    printf "<table><tr><th>%d cases each</th>", n
-    for (k = 1; k <= methods; k++) printf "<th colspan=4>%s</th>", method[k]
-    printf "</tr>\n<tr><th>family</th>"
-    for (k = 1; k <= methods; k++) printf "<th>answers</th><th>status</th><th>wrong</th><th>worst</th>"
+    print "<div class=wide><table><tr><th>search</th><th>cases</th><th>answers</th><th>other statuses</th><th>wrong</th></tr>"
+    for (k = 1; k <= methods; k++) {
+        m = method[k]
+        print "<tr" (m in certified ? " class=ours" : "") "><td>" m "</td><td>" n[m] "</td><td>" answers[m] "</td><td>" statuses[m] \
+            "</td><td>" marked(wrong[m]) "</td></tr>"
+    }
+    print "</table></div>"
+    print "<details><summary>Wrong answers and statuses by family</summary><div class=wide><table><tr><th>family</th>"
+    for (k = 1; k <= methods; k++) print "<th>" method[k] "</th>"
     print "</tr>"
     for (i = 1; i <= families; i++) {
         printf "<tr><td>%s</td>", family[i]
-        for (k = 1; k <= methods; k++) printf "%s", cells[family[i], method[k]]
+        for (k = 1; k <= methods; k++)
+            printf "<td>%s</td>", (family[i], method[k]) in wrong_in ? marked(wrong_in[family[i], method[k]]) : ""
         print "</tr>"
     }
-    printf "<tr class=ours><td>wrong in all</td>"
-    for (k = 1; k <= methods; k++) printf "<td></td><td></td><td>%d</td><td></td>", total[method[k]]
-    print "</tr></table>"
+    print "</table></div></details>"
 }

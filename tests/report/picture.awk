@@ -1,6 +1,6 @@
 # Draws time against error of bare searches by a gnuplot script, from `footpoint-bench --csv`:
 #     awk -f picture.awk -v scene=quad4 -v sample=random -v mode=scalar -v norm=mean -v out=FILE bench.csv | gnuplot
-# writes FILE.svg and FILE.png. Filled squares and the staircase: ours. Open circles: rivals. Rivals are named if no
+# writes FILE.svg and FILE.png, with -v narrow=1 FILE.svg for a telephone. Filled squares and the staircase: ours. Open circles: rivals. Rivals are named if no
 # other rival beats them in both time and error, or if they are not truncated iterations.
 #
 # An error is the larger of xi's and eta's, unless set by -v error=; -v others= names the rivals. Names are placed near
@@ -8,6 +8,7 @@
 BEGIN {
     FS = ","
     width = 1000; height = 680; left = 92; right = 20; top = 62; bottom = 58 # pixels
+    if (narrow) { width = 364; height = 480; left = 64; right = 10; top = 70 }
     character = 7.3; line = 15; marker = 5.5
     least_error = 1e-16
 }
@@ -127,13 +128,18 @@ function median(    i, j, v) {
     return noises[int((all + 1) / 2)]
 }
 
+function heading(tag, size, colour, down, text) {
+    printf "set label %d '%s' at screen %g,%g left noenhanced font 'sans,%d' tc rgb '%s'\n", tag, text, (narrow ? 8 : left) / width,
+        1 - down / height, size, colour
+}
+
 function script(    i, k) {
     under = scene
     gsub(/-/, "_", under)
     print "set logscale xy\nset border 3 lc rgb '#606060'\nset tics nomirror out tc rgb '#303030'\nunset key"
     print "set format y '10^{%L}'\nset mytics 1\nset grid xtics ytics lt 1 lw 0.5 lc rgb '#e8e8e8'"
-    print "set xtics (0.5, 1, 1.5, 2, 3, 4, 5, 7, 10, 15, 20, 30, 40, 50, 70, 100, 150, 200, " \
-        "300, 500, 1000, 2000, 5000, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6)"
+    print "set xtics (" (narrow ? "1, 3, 10, 30, 100, 300, 1000" : "0.5, 1, 1.5, 2, 3, 4, 5, 7, 10, 15, 20, 30, 40, 50, 70, 100, 150, " \
+        "200, 300, 500, 1000, 2000, 5000") ", 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6)"
     print "set ytics 1e-18, " (y0 < 1e-8 ? "100" : "10") ", 1"
     printf "set lmargin at screen %g\nset rmargin at screen %g\nset bmargin at screen %g\nset tmargin at screen %g\n",
         left / width, 1 - right / width, bottom / height, 1 - top / height
@@ -142,12 +148,11 @@ function script(    i, k) {
     printf "set xlabel 'nanoseconds a search, %s' offset 0,0.3\n", clock[mode]
     printf "set ylabel '%s' offset 0.5,0\n", error != "" ? error : \
         (norm == "p99" ? "99 %" : norm) " error, the larger of xi and eta"
-    printf "set label 1000 '%s' at screen %g,%g left noenhanced font 'sans,15'\n", scene ", " mode ": " \
-        (norm == "p99" ? "99 %" : norm) " error against time", left / width, 1 - 20 / height
-    printf "set label 1001 '%s samples; %s%s;  filled: footpoint,  open: %s' " \
-        "at screen %g,%g left noenhanced font 'sans,11' tc rgb '#606060'\n", sample, machine,
-        (median() > 0 ? sprintf("; noise %.1f %%", 100 * median()) : ""), (others != "" ? others : "by hand or fitted"),
-        left / width, 1 - 42 / height
+    heading(1000, narrow ? 12 : 15, "#000000", 20, scene ", " mode ": " (norm == "p99" ? "99 %" : norm) " error against time")
+    told = sample " samples; " machine (median() > 0 ? sprintf("; noise %.1f %%", 100 * median()) : "")
+    signs = "filled: footpoint,  open: " (others != "" ? others : "by hand or fitted")
+    heading(1001, 11, "#606060", narrow ? 38 : 42, told (narrow ? "" : ";  " signs))
+    if (narrow) heading(1002, 11, "#606060", 54, signs)
     for (i = 1; i <= n; i++) if (ours[i]) label(i)
     for (i = 1; i <= n; i++) if (!ours[i] && front[i]) label(i)
     for (i = 1; i <= n; i++) if (!ours[i] && !front[i] && !truncated(i)) label(i)
@@ -156,7 +161,7 @@ function script(    i, k) {
     print "END\n$ours << END"
     for (i = 1; i <= n; i++) if (ours[i]) print x[i], y[i]
     print "END"
-    for (k = 0; k < 2; k++) {
+    for (k = 0; k < (narrow ? 1 : 2); k++) {
         printf "set terminal %s size %d,%d font 'sans,12' background '#ffffff'\n", k ? "pngcairo" : "svg", width, height
         printf "set output '%s.%s'\n", out, k ? "png" : "svg"
         print "plot $rivals with points pt 6 ps 0.9 lw 1 lc rgb '#808080'" \

@@ -1,8 +1,8 @@
 #!/bin/sh
-# report.sh FOLDER: makes a page from one run of the bench. First the scene quad4, a description of its picture, an
-# index and a key to the methods' names; then the hard cases and the searches from the last answer; then each scene
-# with pictures of time against error, tables, error maps and the rivals below our front. BENCH_OPTIONS, for example
-# "--scene quad4", go to the bench.
+# report.sh FOLDER: makes a page from one run of the bench. First where footpoint loses, an index and the hard cases; then
+# the scene quad4 and a description of its pictures; then recorded machines, the searches from the last answer and a key
+# to the methods' names; then each scene with pictures of time against error, tables, error maps and the rivals below our
+# front. BENCH_OPTIONS, for example "--scene quad4", go to the bench.
 folder=$1 BIN=${BIN:-build}
 say() { echo "report: $*" >&2; }
 rm -rf "$folder" && mkdir -p "$folder/maps" || exit 3
@@ -18,16 +18,23 @@ hard=$?
 rm -r "$work"
 scenes=$(awk -F, 'NR > 1 && !seen[$1]++ { print $1 }' "$folder/bench.csv")
 
-# image NAME TEXT: a picture that scrolls where its smallest letters (10.5 of its pixels) would have less than 9
+# image NAME TEXT: a picture, NAME-narrow.svg on a narrow screen if there is one; it scrolls where its smallest letters (10.5 of
+# its pixels) would have less than 9
 image() {
     least=$(awk 'match($0, /width="[0-9]+/) { print int(substr($0, RSTART + 7) * 9 / 10.5) + 1; exit }' "$folder/$1.svg")
-    echo "<a class=wide href=\"$1.svg\"><img style=\"--least: ${least}px\" src=\"$1.svg\" alt=\"$2\"></a>"
+    narrow=
+    if [ -e "$folder/$1-narrow.svg" ]; then
+        narrow="<source media=\"(max-width: ${least}px)\" srcset=\"$1-narrow.svg\">" least=0
+    fi
+    echo "<a class=wide href=\"$1.svg\"><picture>$narrow<img style=\"--least: ${least}px\" src=\"$1.svg\" alt=\"$2\"></picture></a>"
 }
 
 picture() { # picture SCENE SAMPLE MODE NORM
     name=$1-$2-$3-$4
-    awk -f tests/report/picture.awk -v scene="$1" -v sample="$2" -v mode="$3" -v norm="$4" -v out="$folder/$name" \
-        "$folder/bench.csv" | gnuplot || exit 3
+    for narrow in '' -narrow; do
+        awk -f tests/report/picture.awk -v scene="$1" -v sample="$2" -v mode="$3" -v norm="$4" -v out="$folder/$name$narrow" \
+            -v narrow="${narrow:+1}" "$folder/bench.csv" | gnuplot || exit 3
+    done
     image "$name" "$1, $2, $3: time against error, $4"
 }
 
@@ -109,21 +116,32 @@ body { font: 15px/1.45 sans-serif; margin: 2em auto; max-width: 1400px; padding:
 img { min-width: var(--least); max-width: 100% } a.wide { display: block } pre { font-size: 12px } summary { cursor: pointer; margin: .4em 0 } .wide { overflow-x: auto; overflow-wrap: normal }
 table { border-collapse: collapse; font-size: 12px }
 td, th { padding: 1px 7px; text-align: right; border-bottom: 1px solid #eee }
-td:first-child, .words td { text-align: left } .ours td { font-weight: bold; background: #f3f3f3 }
+td:first-child, th:first-child, .words td, .words th { text-align: left } .ours td { font-weight: bold; background: #f3f3f3 }
 </style>
 <h1>Time against error</h1>
 END
     awk -f tests/report/loses.awk "$folder/front.txt"
-    picture "$first" "$sample" chain mean
-    picture "$first" "$sample" scalar mean
-    picture "$first" "$sample" batch mean
-    awk -f tests/report/says.awk -v scene="$first" -v sample="$sample" "$folder/bench.csv"
-    echo '<p>Contents: <a href="#names">names</a>, <a href="#hard">hard cases</a>, <a href="#last">from the last answer</a>; the scenes'
+    echo '<p>Contents: <a href="#hard">hard cases</a>, <a href="#times">times</a>, <a href="#machines">machines</a>,'
+    echo '<a href="#last">from the last answer</a>, <a href="#names">names</a>; the scenes'
     for scene in $scenes; do
         echo "<a href=\"#$scene\">$scene</a>"
     done
     cat << END
 </p>
+<h2 id="hard">Hard cases</h2>
+<p>Families of segments and slave nodes on which searches fail, against the truth in extended precision. Wrong: an answer
+too far off without a status, or a status that is not true. Certified functions, in bold, must never be wrong, and
+$([ "$hard" = 0 ] && echo 'none was' || echo '<b>one was</b>') (<a href="hard.csv">hard.csv</a>): <code>header</code> is
+footpoint_quad4_accurate, <code>float</code> its like in single precision; locate, robust and stationary are the library's. The
+bare expression (footpoint_quad4_accurate_at), Newton's iteration and the trust region promise nothing.</p>
+END
+    awk -f tests/report/hard.awk "$folder/hard.csv"
+    echo "<h2 id=\"times\">Time against error: $first</h2>"
+    picture "$first" "$sample" chain mean
+    picture "$first" "$sample" scalar mean
+    picture "$first" "$sample" batch mean
+    awk -f tests/report/says.awk -v scene="$first" -v sample="$sample" "$folder/bench.csv"
+    cat << END
 <p>One run, all methods in turn on the same held-out samples, all compiled alike:
 $(awk -F, 'NR == 2 { print $(NF) ", " $(NF - 1) }' "$folder/bench.csv"). <a href="bench.csv">bench.csv</a> holds all.
 Times are medians of the turns, in processor time, by three clocks: in dependent calls (mode chain) each search waits for
@@ -132,21 +150,16 @@ to Newton, converged or fair, the quicker, asked the same, over the rounds, rela
 are the larger of those of xi and eta, against the certain foot point; gaps and distances are over the square root of the
 segment's area. <b>$(tail -n 1 "$folder/front.txt")</b>, over all scenes, samples, modes and both norms: faster than any function of
 ours that is as accurate, by more than the noise of the two (<a href="front.txt">front.txt</a>).</p>
-<h2 id="names">Names of the methods</h2>
+<h2 id="machines">Machines</h2>
+<p>Functions with gap, status and proof, recorded by <code>make bench-record</code>: the time of the faster of two Newton iterations,
+which prove nothing, over ours; for closest points, of four triangles around the centroid. Below 1, in bold, footpoint loses.</p>
 END
-    names
-    cat << END
-<h2 id="hard">Hard cases</h2>
-<p>Families of segments and slave nodes that searches fail on, against the truth in extended precision. Wrong: an answer
-too far off without a status, or a status that is not true. A bare expression (footpoint_quad4_accurate_at), Newton's method and
-the trust region are allowed to; the header's checked function (footpoint_quad4_accurate), footpoint_locate,
-footpoint_robust and footpoint_stationary are not, and
-$([ "$hard" = 0 ] && echo 'none of them was' || echo '<b>one of them was</b>') (<a href="hard.csv">hard.csv</a>).</p>
-<div class=wide>
-END
-    awk -f tests/report/hard.awk "$folder/hard.csv"
-    echo '</div>'
+    for machine in tests/report/machines/*.csv; do
+        awk -f tests/report/recorded.awk -f tests/report/machines.awk "$machine"
+    done
     awk -f tests/report/from_last.awk "$folder/bench.csv"
+    echo '<h2 id="names">Names of the methods</h2>'
+    names
     scene_part "$first"
     for scene in $scenes; do
         [ "$scene" = "$first" ] || scene_part "$scene"
