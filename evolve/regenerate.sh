@@ -84,12 +84,23 @@ if [ "$1" = --derivatives ]; then
 fi
 
 if [ "$1" = --table ]; then
-    awk -f evolve/what_ships.awk -v before="$BIN/regenerate/before" generated/footpoint_*.h
+    awk -f evolve/what_ships.awk -v before="$BIN/regenerate/before" generated/footpoint_*.h > "$BIN/regenerate/table"
+    cat "$BIN/regenerate/table"
+    cat << END
+
+origin:       bred by evolution, or derived by hand
+promise:      largest error of xi and eta with FOOTPOINT_OK
+mean error:   of xi as NAME_at computes it, on held-out samples
+proved equal: to its genome, as rational functions, or at random points modulo primes
+changed:      since the commit; "emitted anew" means the same formula in a header with other text
+
+END
+    awk 'NR > 1 { n++; same += $NF == "none" } END { print n " functions, " n - same " changed" }' "$BIN/regenerate/table"
     # Rows of the runs' tables.
     grep -H 'times less error\|right to rounding' "$BIN/regenerate/"*.log 2> /dev/null |
         sed "s|^$BIN/regenerate/\(.*\)\.log:|\1 |" > "$BIN/regenerate/better"
-    [ -s "$BIN/regenerate/better" ] && cat "$BIN/regenerate/better" || echo 'no function got better by one in a hundred'
-    echo 'pictures of time against error: make report, then build/report/index.html'
+    [ -s "$BIN/regenerate/better" ] && cat "$BIN/regenerate/better" || echo 'evolution improved no function by 1 % or more; this is usual for one generation (GENERATIONS=)'
+    echo 'make report draws time against error, build/report/index.html'
     exit
 fi
 

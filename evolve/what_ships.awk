@@ -25,7 +25,7 @@ function read(path, of,   line, name, names, word, key, whole) {
             split(line, part, " ")
             key = part[2]
             sub(/_PROMISE$/, "", key)
-            of["promise", tolower(key)] = part[3]
+            of["promise", tolower(key)] = part[3] + 0
         }
     }
     close(path)
@@ -65,7 +65,7 @@ function change(new, old, name) {
 }
 
 BEGIN {
-    row = "%-18s %-11s %-8s %-42s %-8s %-10s %-15s %s\n"
+    row = "%-19s %-11s %-8s %-42s %-8s %-10s %-15s %s\n"
     printf row, "scene", "function", "origin", "operations", "promise", "mean error", "proved equal", "changed"
     for (i = 1; i < ARGC; i++) {
         split("", new)
