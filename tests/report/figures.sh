@@ -32,6 +32,7 @@ figures_loses() {
     done
 }
 figures_speed() { recorded header_speeds speed quad4; }
+figures_robust() { recorded header_speeds robust quad4; }
 figures_calls() { recorded header_speeds calls quad4; }
 figures_derivatives() { recorded header_speeds derivatives quad4; }
 figures_gregory() { recorded header_speeds gregory gregory; }

@@ -1,5 +1,5 @@
-# Prints tables of generated/README.md, with recorded.awk: -v part=speed, calls, derivatives (quad4), gregory or bezier. Ratios
-# are ranges over machines.
+# Prints tables of generated/README.md, with recorded.awk: -v part=speed, calls, derivatives (quad4), gregory or bezier; for
+# runtime/README.md part=robust. Ratios are ranges over machines.
 function row(method, label,    f) {
     f = "footpoint_quad4_" method
     return "| " label " | " (f in operations ? operations[f] : counts[scene, "bare", method]) " | " \
@@ -83,8 +83,15 @@ function patches(    name, i, n) {
     n = split("facet normals smooth corrected precise exact full", name, " ")
     for (i = 1; i <= n; i++) patch(name[i])
 }
+function robust() {
+    scene = "quad4"
+    print "**Time.** With half of the slave nodes beside ordinary faces, `footpoint_robust` takes " \
+        over("accurate", "closest footpoint_robust scalar", "closest X_closest scalar") " times as long as"
+    print "`footpoint_quad4_accurate_closest`."
+}
 END {
     if (part == "speed") speed()
+    else if (part == "robust") robust()
     else if (part == "calls") calls()
     else if (part == "derivatives") derivatives()
     else patches()
