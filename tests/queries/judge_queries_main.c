@@ -91,6 +91,9 @@ int main(int argc, char **argv)
     }
     if (got < 0)
         return fprintf(stderr, "%s:%ld: error: malformed query\n", argv[1], n), 1;
+    if (fgets(line, sizeof line, answers))
+        return fprintf(stderr, "%s: error: more than %ld answers\n", argv[2], n - 1), 1;
+    puts("search,kind,asked,right,placed,wrong,none");
     for (int k = 0; k < QUERY_TEXT_KINDS; k++) {
         const struct score *const s = &score[k];
         if (s->asked)

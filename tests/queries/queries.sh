@@ -32,6 +32,8 @@ expect 'refused and skipped' 0 '160 0 0 0 160' '' judged "$work/other"
 echo 'nonsense' > "$work/other"
 expect 'no answer' 1 '' "$work/other:1: error: not 'XI ETA [DISTANCE]', 'point X Y Z', 'none' or 'skip'" \
     "$work/judge" "$work/few.txt" "$work/other" x
+{ cat "$work/answers"; echo none; } > "$work/other"
+expect 'too many' 1 '' "$work/other: error: more than 320 answers" "$work/judge" "$work/few.txt" "$work/other" x
 expect 'too few' 1 '' "/dev/null: error: 0 answers are not enough" "$work/judge" "$work/few.txt" /dev/null x
 
 later 'queries: all of them made again'

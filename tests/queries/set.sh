@@ -40,7 +40,7 @@ score() {
 table() {
     echo '| search | kinds | asked | right | of these placed | wrong | none |'
     echo '|---|---|---|---|---|---|---|'
-    awk -F, '!($1 in asked) { name[++n] = $1 }
+    awk -F, '$2 == "kind" { next } !($1 in asked) { name[++n] = $1 }
         { kinds[$1] = kinds[$1] (kinds[$1] ? ", " : "") $2; asked[$1] += $3; right[$1] += $4; placed[$1] += $5; wrong[$1] += $6
           none[$1] += $7 }
         END { for (i = 1; i <= n; i++) { s = name[i]; k = kinds[s] == "tri3, quad4, tri6, quad8, quad9" ? "all" : kinds[s]
