@@ -20,7 +20,7 @@ function table(    i, f) {
     }
     print "| `footpoint_robust` | 1e-10 of an edge | | | | | " closest("footpoint_robust") " | any four corners |"
     print "\nMeasured on " machines "."
-    print "Four triangles are off by up to " short(worst_gap[scene, "closest", "four_triangles"], "%.0e") " of the face's size."
+    print "Four triangles, the rival of `_closest`, are off by up to " short(worst_gap[scene, "closest", "four_triangles"], "%.0e") " of the face's size."
 }
 function last(move,    i, m, mode) {
     split("chain scalar batch", mode, " ")
