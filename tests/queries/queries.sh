@@ -36,7 +36,10 @@ expect 'no answer' 1 '' "$work/other:1: error: not 'XI ETA [DISTANCE]', 'point X
 expect 'too many' 1 '' "$work/other: error: more than 320 answers" "$work/judge" "$work/few.txt" "$work/other" x
 expect 'too few' 1 '' "/dev/null: error: 0 answers are not enough" "$work/judge" "$work/few.txt" /dev/null x
 
-later 'queries: all of them made again'
+later 'queries: all of them made and scored again'
 if [ -n "$FOOTPOINT_LONG" ]; then
+    sh $queries/set.sh score "$work/queries.txt" > "$work/scores"
+    [ -z "$(sed -n '/^<!-- scores -->/,/^<!-- end/p' $queries/README.md | grep '^|' | grep -vxFf "$work/scores")" ]
+    report $((! $?)) 'the scores are right (make queries)'
     sh $queries/set.sh make 1 50 2> /dev/null | cmp -s - "$work/queries.txt"; report $((! $?)) 'made again, the same bytes'
 fi

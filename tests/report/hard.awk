@@ -25,7 +25,7 @@ END {
     print "<div class=wide><table><tr><th>search</th><th>cases</th><th>answers</th><th>other statuses</th><th>wrong</th></tr>"
     for (k = 1; k <= methods; k++) {
         m = method[k]
-        print "<tr" (m in certified ? " class=ours" : "") "><td>" m "</td><td>" n[m] "</td><td>" answers[m] "</td><td>" statuses[m] \
+        if (m in n) print "<tr" (m in certified ? " class=ours" : "") "><td>" m "</td><td>" n[m] "</td><td>" answers[m] "</td><td>" statuses[m] \
             "</td><td>" marked(wrong[m]) "</td></tr>"
     }
     print "</table></div>"
