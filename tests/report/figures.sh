@@ -1,6 +1,6 @@
 #!/bin/sh
 # figures.sh: fills the parts of READMEs between "<!-- figures NAME -->" and "<!-- end -->" from what commands wrote: headers,
-# genomes, tests/report/machines/, tests/hard/hard.csv, tests/calculix/models.csv (from tests/long/calculix.sh).
+# genomes, tests/report/machines/, tests/hard/hard.csv, tests/calculix/models.csv (the table that tests/long/calculix.sh writes).
 # figures.sh --check: changes nothing; names the parts that differ, and fails if there are any.
 # figures.sh --record: writes tests/hard/hard.csv first, a hundred hard cases of each family (a minute).
 . tests/hard/build.inc
