@@ -126,6 +126,8 @@ $(foreach kind,tri3 tri6 quad4 quad8 quad9 edge2 edge3,$(eval CFLAGS_face_$(kind
 $(foreach kind,bezier gregory,$(eval CFLAGS_patch_$(kind) := $(CFLAGS_batch_lanes)))
 # Square roots are instructions.
 CFLAGS_fit_lines := -fno-math-errno
+# Protected quotients become vectors; a loop over a block ends without a wrong guess.
+CFLAGS_lines_run := -fno-trapping-math -funroll-loops
 # Costs of operations are those of optimised code, in any configuration.
 CFLAGS_calibrate_main := -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd
 

@@ -3,10 +3,10 @@
  * to beat. Each output of each tier has a ring of islands. */
 #include "../codegen/base/console.h"
 #include "common/stop.h"
+#include "eval/tree_benchmark.h"
 #include "input/scene_print.h"
 #include "mpi/shared_file.h"
 #include "run/run.h"
-#include "tiles/kernel_benchmark.h"
 #include "write/samples_write.h"
 
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Tables of samples; see columns.h. Each column is 17 lines longer than whole blocks require. If columns were a power
- * of two apart, their tiles would share a few sets of the first-level cache and evict each other. */
+ * of two apart, their blocks would share a few sets of the first-level cache and evict each other. */
 #include "columns.h"
 
 #include <stdint.h>
@@ -15,7 +15,7 @@ static void *align(void *p)
 
 static size_t room(size_t n, size_t size)
 {
-    return (n + KERNEL_BLOCK - 1) / KERNEL_BLOCK * KERNEL_BLOCK + STAGGER / size;
+    return (n + SUM_BLOCK - 1) / SUM_BLOCK * SUM_BLOCK + STAGGER / size;
 }
 
 struct columns columns_new(size_t n, size_t count)

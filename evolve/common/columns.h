@@ -5,8 +5,8 @@
 #include "../../codegen/genome/genome.h"
 
 enum {
-    KERNEL_BLOCK = 512, /* samples between two checks of the error bound */
-    TAPE_BLOCK = 128    /* samples per block when derivatives are computed; divides KERNEL_BLOCK */
+    SUM_BLOCK = 512, /* samples between two checks of a tree's error bound */
+    TAPE_BLOCK = 128 /* samples that are evaluated together; divides SUM_BLOCK */
 };
 
 /** A table of samples: a column of n doubles per symbol, padded to whole blocks and aligned to cache lines. */

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PIECE = 8 * KERNEL_BLOCK };
+enum { PIECE = 8 * SUM_BLOCK };
 
 void errors_absolute(double *value, const double *reference, size_t n)
 {

@@ -1,7 +1,7 @@
-/* The evaluator of programs; see lines_run.h. It runs line after line over blocks of samples. If only values are
- * needed, a block is reused once no later line reads it, so that live blocks stay in the first-level cache. All
- * register widths give the same bits: values, because every sample goes through the same rounded operations; sums,
- * because they run in WIDE_LANES lanes, sample i of a block in lane i mod WIDE_LANES. */
+/* The evaluator; see lines_run.h. It runs line after line over blocks of samples. If only values are needed, a block is
+ * reused once no later line reads it, so that live blocks stay in the first-level cache. All register widths give the
+ * same bits: values, because every sample goes through the same rounded operations; sums, because they run in a fixed
+ * number of lanes, sample i of a block in lane i modulo that number. */
 #include "lines_run.h"
 
 #include "tape_blocks.h"
@@ -26,8 +26,8 @@ void lines_run_free(struct lines_run *r)
     lines_free(r->code);
     free(r->value);
     free(r->slope);
-    free(r->block);
-    free(r->slopes);
+    columns_free(&r->block);
+    columns_free(&r->slopes);
     free(r->place);
     free(r->varies);
     free(r->above);
@@ -35,13 +35,17 @@ void lines_run_free(struct lines_run *r)
     free(r);
 }
 
-static void reserve_blocks(double **block, size_t *room, size_t blocks)
+static void reserve_blocks(struct columns *block, size_t blocks)
 {
-    if (blocks <= *room)
+    if (blocks * TAPE_BLOCK <= block->n)
         return;
-    free(*block);
-    *room = blocks + blocks / 2;
-    *block = new_array(*room * TAPE_BLOCK, sizeof **block);
+    columns_free(block);
+    *block = columns_new((blocks + blocks / 2) * TAPE_BLOCK, 1);
+}
+
+static double *block_at(const struct columns *block, size_t k)
+{
+    return block->data + k * TAPE_BLOCK;
 }
 
 /* Sets last[i] to the last line that reads line i; roots are read at the end. */
@@ -105,7 +109,7 @@ static void reserve(struct lines_run *r)
         r->above = new_array(r->room, sizeof *r->above);
         r->below = new_array(r->room, sizeof *r->below);
     }
-    reserve_blocks(&r->block, &r->block_room, share_blocks(r));
+    reserve_blocks(&r->block, share_blocks(r));
 }
 
 static void take(struct lines_run *r, const struct genes *t, int last, enum lines_use use, bool all)
@@ -121,7 +125,7 @@ WIDE static void fill_numbers(struct lines_run *r)
         const struct line *x = &r->code->line[i];
         if (!r->code->needed[i] || x->gene >= 0)
             continue;
-        double *to = r->block + r->place[i] * TAPE_BLOCK;
+        double *to = block_at(&r->block, r->place[i]);
         EACH to[k] = x->number;
         r->value[i] = to;
     }
@@ -148,7 +152,7 @@ WIDE static void run_block(struct lines_run *r, size_t row)
             r->value[i] = columns_at(r->table, (size_t)(x->gene - GENE_SYMBOL)) + row;
             continue;
         }
-        double *to = r->block + r->place[i] * TAPE_BLOCK;
+        double *to = block_at(&r->block, r->place[i]);
         value_of(x->gene, r->value[x->a], x->b >= 0 ? r->value[x->b] : NULL, to);
         if (r->table->single)
             round_to_float(to);
@@ -156,9 +160,9 @@ WIDE static void run_block(struct lines_run *r, size_t row)
     }
 }
 
-static const double *goal_of(const struct lines_run *r, int half)
+static size_t rows_from(const struct lines_run *r, size_t row)
 {
-    return columns_at(r->table, r->table->count - 2 + (size_t)half);
+    return r->table->n - row < TAPE_BLOCK ? r->table->n - row : TAPE_BLOCK;
 }
 
 /* Computes the absolute errors of a block, and adds them to the lanes. */
@@ -200,11 +204,12 @@ double lines_errors(struct lines_run *r, const struct genes *t, int last, double
     memset(r->above, 0, r->code->lines * sizeof *r->above);
     memset(r->below, 0, r->code->lines * sizeof *r->below);
     for (size_t row = 0; row < all; row += TAPE_BLOCK) {
-        const size_t left = all - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
+        const size_t n = rows_from(r, row);
         run_block(r, row);
         r->work += (double)r->code->lines * (double)n;
         for (size_t half = 0; half < 2; half++)
-            take_errors(r->value[r->code->root[half]], goal_of(r, (int)half) + row, n, error + half * all + row, lane);
+            take_errors(r->value[r->code->root[half]], columns_at(r->table, r->table->count - 2 + half) + row, n,
+                        error + half * all + row, lane);
         count_signs(r, n);
         sum = 0;
         for (int j = 0; j < WIDE_LANES; j++)
@@ -215,20 +220,73 @@ double lines_errors(struct lines_run *r, const struct genes *t, int last, double
     return sum;
 }
 
+/* ---- trees ---- */
+
+static void take_tree(struct lines_run *r, const int *gene, size_t length, const struct genome_constant *constant)
+{
+    r->all = false;
+    lines_expression(r->code, gene, length, constant);
+    reserve(r);
+    fill_numbers(r);
+}
+
+void lines_tree_values(struct lines_run *r, const int *gene, size_t length, const struct genome_constant *constant,
+                       double *value)
+{
+    take_tree(r, gene, length, constant);
+    for (size_t row = 0; row < r->table->n; row += TAPE_BLOCK) {
+        run_block(r, row);
+        memcpy(value + row, r->value[r->code->root[0]], rows_from(r, row) * sizeof *value);
+    }
+    r->work += (double)length * (double)r->table->n;
+}
+
 void table_values(const struct columns *table, const struct genome_constant *constant, const int *gene, size_t length,
                   double *value)
 {
     struct lines_run *r = lines_run_new(NULL, table);
-    lines_expression(r->code, gene, length, constant);
-    reserve(r);
-    fill_numbers(r);
-    for (size_t row = 0; row < table->n; row += TAPE_BLOCK) {
-        const size_t left = table->n - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
-        run_block(r, row);
-        memcpy(value + row, r->value[r->code->root[0]], n * sizeof *value);
-    }
+    lines_tree_values(r, gene, length, constant, value);
     lines_run_free(r);
 }
+
+/* Adds absolute errors to lanes that a block fills evenly. */
+WIDE static void add_errors(const double *value, const double *goal, size_t n, double lane[TREE_LANES])
+{
+    for (size_t k = 0; k < n; k += TREE_LANES)
+        for (size_t j = 0; j < TREE_LANES && k + j < n; j++)
+            lane[j] += fabs(value[k + j] - goal[k + j]);
+}
+
+/* Returns the sum of lanes, added by halves, j + j + 32 and so on. */
+static double sum_of_lanes(double lane[TREE_LANES])
+{
+    for (size_t half = TREE_LANES / 2; half > 0; half /= 2)
+        for (size_t j = 0; j < half; j++)
+            lane[j] += lane[j + half];
+    return lane[0];
+}
+
+double lines_tree_error(struct lines_run *r, const int *gene, size_t length, const struct genome_constant *constant,
+                        size_t target, double bound)
+{
+    const double *goal = columns_at(r->table, target);
+    double sum = 0;
+    take_tree(r, gene, length, constant);
+    for (size_t row = 0; row < r->table->n;) {
+        double lane[TREE_LANES] = {0};
+        for (size_t end = row + SUM_BLOCK; row < end && row < r->table->n; row += TAPE_BLOCK) {
+            run_block(r, row);
+            add_errors(r->value[r->code->root[0]], goal + row, rows_from(r, row), lane);
+            r->work += (double)length * (double)rows_from(r, row);
+        }
+        sum += sum_of_lanes(lane);
+        if (!(sum <= bound))
+            return INFINITY;
+    }
+    return isfinite(sum) ? sum : INFINITY;
+}
+
+/* ---- programs and their derivatives ---- */
 
 bool lines_keep_signs(const struct lines_run *r)
 {
@@ -251,7 +309,7 @@ void lines_run_load(struct lines_run *r, const struct genes *t, int last, int by
         else if (line_is_operation(x))
             r->varies[i] = r->varies[x->a] || (x->b >= 0 && r->varies[x->b]);
     }
-    reserve_blocks(&r->slopes, &r->slope_room, r->code->lines + 2);
+    reserve_blocks(&r->slopes, r->code->lines + 2);
 }
 
 void lines_values(struct lines_run *r, size_t row)
@@ -262,7 +320,7 @@ void lines_values(struct lines_run *r, size_t row)
 
 WIDE static void add_block(struct lines_run *r, int line, const double *more)
 {
-    double *to = r->slopes + ((size_t)line + 2) * TAPE_BLOCK;
+    double *to = block_at(&r->slopes, (size_t)line + 2);
     if (r->slope[line])
         EACH to[k] += more[k];
     else
@@ -275,8 +333,8 @@ WIDE static void pass_down(struct lines_run *r, size_t i)
 {
     const struct line *x = &r->code->line[i];
     const int b = x->b >= 0 ? x->b : x->a;
-    double *sa = r->slopes, *sb = r->slopes + TAPE_BLOCK;
-    slope_of(x->gene, r->slope[i], r->value[i], r->value[x->a], r->value[b], sa, sb);
+    slope_of(x->gene, r->slope[i], r->value[i], r->value[x->a], r->value[b], block_at(&r->slopes, 0),
+             block_at(&r->slopes, 1));
 }
 
 void lines_slopes(struct lines_run *r, int half)
@@ -294,8 +352,8 @@ void lines_slopes(struct lines_run *r, int half)
             continue;
         pass_down(r, i);
         if (r->varies[x->a])
-            add_block(r, x->a, r->slopes);
+            add_block(r, x->a, block_at(&r->slopes, 0));
         if (x->b >= 0 && r->varies[x->b])
-            add_block(r, x->b, r->slopes + TAPE_BLOCK);
+            add_block(r, x->b, block_at(&r->slopes, 1));
     }
 }

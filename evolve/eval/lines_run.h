@@ -1,4 +1,5 @@
-/* Values, errors and derivatives of programs over the samples of a table, block by block. */
+/* The evaluator: values, errors and derivatives of programs, and values and errors of trees, over the samples of a table,
+ * block by block. */
 #ifndef FOOTPOINT_LINES_RUN_H
 #define FOOTPOINT_LINES_RUN_H
 
@@ -7,17 +8,17 @@
 
 /** Workspace for a table whose last two columns are the true xi and eta. */
 struct lines_run {
-    const struct columns *table; /* not owned */
-    struct lines *code;          /* owned: the program */
-    const double **value;        /* owned: by line; blocks or rows of the table */
-    double **slope;              /* owned: by line; NULL if not needed */
-    double *block, *slopes;      /* owned */
-    size_t *place;               /* owned: by line; its block */
-    bool *varies;                /* owned: by line; depends on a line whose slope is wanted */
-    size_t *above, *below;       /* owned: by line; number of samples so far on which a divisor was > 0 or < 0 */
-    size_t room, block_room, slope_room;
+    const struct columns *table;  /* not owned */
+    struct lines *code;           /* owned: the program */
+    const double **value;         /* owned: by line; blocks or rows of the table */
+    double **slope;               /* owned: by line; NULL if not needed */
+    struct columns block, slopes; /* owned: blocks of TAPE_BLOCK, aligned */
+    size_t *place;                /* owned: by line; its block */
+    bool *varies;                 /* owned: by line; depends on a line whose slope is wanted */
+    size_t *above, *below;        /* owned: by line; number of samples so far on which a divisor was > 0 or < 0 */
+    size_t room;
     bool all;    /* every line keeps its own block */
-    double work; /* lines times samples evaluated for errors so far */
+    double work; /* lines of programs, or genes of trees, times samples evaluated so far */
 };
 struct lines_run *lines_run_new(const struct line_rules *t, const struct columns *table);
 void lines_run_free(struct lines_run *r);
@@ -31,7 +32,16 @@ double lines_errors(struct lines_run *r, const struct genes *t, int last, double
  *  must have computed all errors. */
 bool lines_keep_signs(const struct lines_run *r);
 
-/** Evaluates an expression in prefix form over a table of its symbols, into value[0..n-1]; symbol s is column s. */
+enum { TREE_LANES = 64 /* lanes of a sum of errors, added by halves */ };
+/** Computes the values of a tree, in prefix form, into value[0..n-1]; symbol s is column s.
+ *  @param[in] constant  the constants to which its genes refer; NULL: decimal numbers (decimal.h) */
+void lines_tree_values(struct lines_run *r, const int *gene, size_t length, const struct genome_constant *constant,
+                       double *value);
+/** Returns the sum over all samples of |value - table[target]|. Stops and returns INFINITY, at the same SUM_BLOCK
+ *  samples on every machine, once the partial sum exceeds `bound`. Returns INFINITY if a value is not finite. */
+double lines_tree_error(struct lines_run *r, const int *gene, size_t length, const struct genome_constant *constant,
+                        size_t target, double bound);
+/** Computes the values of a tree over a table, as lines_tree_values(). */
 void table_values(const struct columns *table, const struct genome_constant *constant, const int *gene, size_t length,
                   double *value);
 

@@ -1,4 +1,4 @@
-/* Training errors; see objective.h. The kernel sums the mean as it evaluates; the other norms need all values. */
+/* Training errors; see objective.h. The mean is summed during evaluation; the other norms need all values. */
 #include "objective.h"
 
 #include "errors.h"
@@ -19,13 +19,11 @@ double objective_rounding(enum scene_norm norm)
 struct objective *objective_new(const struct genome_file *program, const struct columns *table, enum scene_norm norm)
 {
     struct objective *o = new_array(1, sizeof *o);
-    *o = (struct objective){.table = table, .program = program, .norm = norm, .kernel = kernel_new_widest()};
+    *o = (struct objective){.table = table, .program = program, .norm = norm};
     o->scratch = new_array(2 * table->n, sizeof *o->scratch);
     o->picked = new_array(table->n, sizeof *o->picked);
-    if (program) {
-        o->rules = line_rules_new(program);
-        o->lines = lines_run_new(o->rules, table);
-    }
+    o->rules = program ? line_rules_new(program) : NULL;
+    o->lines = lines_run_new(o->rules, table);
     return o;
 }
 
@@ -33,17 +31,11 @@ void objective_free(struct objective *o)
 {
     if (!o)
         return;
-    kernel_free(o->kernel);
     lines_run_free(o->lines);
     line_rules_free(o->rules);
     free(o->scratch);
     free(o->picked);
     free(o);
-}
-
-static struct kernel_task task_of(const struct objective *o, const struct genes *t)
-{
-    return (struct kernel_task){t->gene, t->length, o->decimal ? NULL : o->program->constant, o->table};
 }
 
 /* Leaves all errors, of xi and then of eta, in o->scratch. */
@@ -197,16 +189,11 @@ double objective_error_in_tails(struct objective *o, const struct genes *t, int 
 
 double objective_tree_error(struct objective *o, const struct genes *t, size_t column, double bound)
 {
-    const struct kernel_task task = task_of(o, t);
+    const struct genome_constant *constant = o->decimal ? NULL : o->program->constant;
     const size_t n = o->table->n;
     if (o->norm == NORM_MEAN)
-        return kernel_error_sum(o->kernel, &task, column, bound * (double)n) / (double)n;
-    kernel_values(o->kernel, &task, o->scratch);
+        return lines_tree_error(o->lines, t->gene, t->length, constant, column, bound * (double)n) / (double)n;
+    lines_tree_values(o->lines, t->gene, t->length, constant, o->scratch);
     errors_absolute(o->scratch, columns_at(o->table, column), n);
     return o->norm == NORM_MAX ? errors_max(o->scratch, n) : errors_p99(o->scratch, n);
-}
-
-double objective_work(const struct objective *o)
-{
-    return kernel_work(o->kernel) + (o->lines ? o->lines->work : 0);
 }

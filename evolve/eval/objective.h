@@ -5,7 +5,6 @@
 #include "../genotype/genotype.h"
 #include "../input/scene.h"
 #include "../surface/sample.h"
-#include "../tiles/kernel.h"
 #include "lines_run.h"
 
 /** Measures programs and trees on a table. Each process needs its own. */
@@ -13,12 +12,11 @@ struct objective {
     const struct columns *table;       /* not owned */
     const struct genome_file *program; /* not owned: defines the genes */
     enum scene_norm norm;
-    bool decimal; /* constants of trees are coded in their genes (decimal.h), not in the program; false at first */
-    struct kernel *kernel;    /* owned */
-    double *scratch;          /* owned: two values per sample */
-    double *picked;           /* owned: errors on a part of the samples */
+    bool decimal;    /* constants of trees are coded in their genes (decimal.h), not in the program; false at first */
+    double *scratch; /* owned: two values per sample */
+    double *picked;  /* owned: errors on a part of the samples */
     struct line_rules *rules; /* owned: of the program; may be NULL */
-    struct lines_run *lines;  /* owned: for programs of both outputs */
+    struct lines_run *lines;  /* owned; lines->work counts what was evaluated */
 };
 struct objective *objective_new(const struct genome_file *program, const struct columns *table, enum scene_norm norm);
 void objective_free(struct objective *o);
@@ -61,8 +59,5 @@ struct outputs objective_outputs(struct objective *o, const struct genes *t, int
 /** Returns true if no figure of the program is larger. In a band, a figure is larger only if it is larger in both
  *  halves; a difference between halves is chance. */
 bool objective_no_worse(struct objective *o, const struct genes *t, int last, const struct outputs *than);
-
-/** Returns genes times samples evaluated so far; for programs, lines times samples. */
-double objective_work(const struct objective *o);
 
 #endif

@@ -487,8 +487,10 @@ struct expression {
 static int line_as_it_is(void *expression, int gene, int a, int b)
 {
     const struct expression *e = expression;
-    return line_of(e->lines, gene < 0 ? (struct line){NUMBER, -1, -1, e->constant[-1 - gene].value}
-                                      : (struct line){gene, a, b, 0});
+    if (gene >= 0)
+        return line_of(e->lines, (struct line){gene, a, b, 0});
+    const double value = e->constant ? e->constant[-1 - gene].value : decimal_value(gene);
+    return line_of(e->lines, (struct line){NUMBER, -1, -1, value});
 }
 
 void lines_expression(struct lines *c, const int *gene, size_t length, const struct genome_constant *constant)

@@ -81,7 +81,7 @@ enum lines_use {
 void lines_load(struct lines *c, const struct genes *t, int last, enum lines_use use);
 /** Loads an expression in prefix form, operation by operation, without simplifying. Both roots become its value. Needs
  *  no rules.
- *  @param[in] constant  the constants to which its genes refer */
+ *  @param[in] constant  the constants to which its genes refer; NULL: decimal numbers */
 void lines_expression(struct lines *c, const int *gene, size_t length, const struct genome_constant *constant);
 /** Writes the lines that the roots need as genes. Returns false, with *t undefined, if that takes more than max genes.
  *  */

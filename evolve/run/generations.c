@@ -158,7 +158,7 @@ static void vote(struct loop *l)
 {
     const struct islands *s = l->islands;
     double sum[POLL_SUMS] = {0}, *best = new_array(s->rings, sizeof *best);
-    sum[POLL_WORK] = objective_work(l->problem->objective);
+    sum[POLL_WORK] = l->problem->objective->lines->work;
     sum[POLL_SAVE] = rank0_wishes_save(&l->rank0) ? 1 : 0;
     sum[POLL_STOP + stop_noted()] = 1;
     if (time_is_up(l))

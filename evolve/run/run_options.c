@@ -106,8 +106,7 @@ static const struct option_row rows[] = {
     {"log-every", 0, OPTION_WHOLE, AT(log_every), "N", 1, 100000000, .role = KEPT,
      .help = "only each N-th generation (default: 1)"},
     {"quiet", 0, OPTION_FLAG, AT(quiet), .help = "no progress and no list of finds, the table of changes alone"},
-    {"benchmark", 0, OPTION_FLAG, AT(benchmark),
-     .help = "speed of the evaluator as CSV: engine,bits,genes_samples_per_s"}};
+    {"benchmark", 0, OPTION_FLAG, AT(benchmark), .help = "speed of the evaluator as CSV: engine,genes_samples_per_s"}};
 enum { ROWS = sizeof rows / sizeof *rows };
 
 const struct option_table evolve_option_table = {

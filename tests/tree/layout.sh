@@ -44,8 +44,7 @@ evolve/input:       evolve/common codegen/genome codegen/base
 evolve/surface:     evolve/common codegen/genome runtime/geometry codegen/base
 evolve/samples:     evolve/input evolve/surface evolve/common codegen/genome runtime/geometry codegen/base
 evolve/genotype:    evolve/common codegen/genome codegen/base
-evolve/tiles:       evolve/genotype evolve/common codegen/genome codegen/base
-evolve/eval:        evolve/tiles evolve/genotype evolve/surface evolve/input evolve/common codegen/genome codegen/base
+evolve/eval:        evolve/genotype evolve/surface evolve/input evolve/common codegen/genome codegen/base
 evolve/region:      evolve/eval evolve/surface evolve/common codegen/genome codegen/base
 evolve/fit:         evolve/eval evolve/genotype evolve/surface evolve/input evolve/common codegen/genome codegen/base
 evolve/island:      evolve/fit evolve/eval evolve/genotype evolve/input evolve/common codegen/genome codegen/base

@@ -2,7 +2,7 @@
  * samples; dependent terms do no harm; and results do not depend on how the evaluation is shared. */
 #include "../../../evolve/common/decimal.h"
 #include "../../../evolve/common/stream.h"
-#include "../../../evolve/tiles/kernel.h"
+#include "../../../evolve/eval/lines_run.h"
 #include "normal_equations.h"
 #include "pga.h"
 
@@ -136,7 +136,6 @@ static void monomials_are_complete(void **state)
 static void horner_form_is_the_sum(void **state)
 {
     struct fixture *f = *state;
-    struct kernel *kernel = kernel_new(KERNEL_PLAIN);
     double *value = new_array(SAMPLES, sizeof *value);
     for (size_t round = 0; round < 200; round++) {
         struct monomial term[COUNT];
@@ -153,7 +152,7 @@ static void horner_form_is_the_sum(void **state)
         monomials_tree(term, coefficient, n, &t);
         assert_true(t.length <= monomials_room(n));
         assert_int_equal(gene_span(t.gene, t.length), t.length);
-        kernel_values(kernel, &(struct kernel_task){t.gene, t.length, NULL, &f->table}, value);
+        table_values(&f->table, NULL, t.gene, t.length, value);
         for (size_t row = 0; row < SAMPLES; row++) {
             double sum = 0;
             for (size_t i = 0; i < n; i++)
@@ -163,7 +162,6 @@ static void horner_form_is_the_sum(void **state)
         free(t.gene);
     }
     free(value);
-    kernel_free(kernel);
 }
 
 /* Checks sums of products, and fits of any choice of columns; dependent columns must be refused. */

@@ -1,13 +1,12 @@
-/* Measures the evaluator's speed for every register width. */
-#include "kernel_benchmark.h"
+/* Measures the evaluator's speed on random trees. */
+#include "tree_benchmark.h"
 
 #include "../common/stream.h"
 #include "../genotype/tree.h"
-#include "kernel.h"
+#include "lines_run.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
 enum { SAMPLES = 28672, VARIABLES = 8, GENOMES = 64, LONGEST = 250, ROUNDS = 7 };
@@ -29,14 +28,13 @@ struct workload {
     size_t genes;
 };
 
-static double kernel_sum(const struct workload *w, const struct genes *t, struct kernel *k)
+static double error_sum(const struct workload *w, const struct genes *t, struct lines_run *r)
 {
-    const struct kernel_task task = {t->gene, t->length, w->program->constant, &w->table};
-    return kernel_error_sum(k, &task, VARIABLES, INFINITY);
+    return lines_tree_error(r, t->gene, t->length, w->program->constant, VARIABLES, INFINITY);
 }
 
 /* Makes random genomes with finite values, so that evaluation never stops early. */
-static void fill(struct workload *w, struct kernel *k, const struct kind *kind)
+static void fill(struct workload *w, const struct kind *kind)
 {
     static int symbol[VARIABLES], constant[4], operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
     static const char *const text[] = {"-0.35", "0.5", "1.25", "2"};
@@ -51,14 +49,16 @@ static void fill(struct workload *w, struct kernel *k, const struct kind *kind)
     for (size_t j = 0; j <= VARIABLES; j++)
         for (size_t i = 0; i < SAMPLES; i++)
             columns_at(&w->table, j)[i] = 2 * gsl_rng_uniform(rng) - 1;
+    struct lines_run *r = lines_run_new(NULL, &w->table);
     for (size_t i = 0; i < GENOMES; i++) {
         struct genes *t = &w->tree[i];
         t->gene = w->gene[i];
         do
             tree_random(rng, &genes, 16, false, kind->longest, t);
-        while (t->length < kind->shortest || !isfinite(kernel_sum(w, t, k)));
+        while (t->length < kind->shortest || !isfinite(error_sum(w, t, r)));
         w->genes += t->length;
     }
+    lines_run_free(r);
     gsl_rng_free(rng);
 }
 
@@ -71,41 +71,29 @@ static double now(void)
 }
 
 /* Returns the seconds that all genomes take. */
-static double lap(const struct workload *w, struct kernel *k)
+static double lap(const struct workload *w, struct lines_run *r)
 {
     volatile double sink;
     const double start = now();
     for (size_t i = 0; i < GENOMES; i++)
-        sink = kernel_sum(w, &w->tree[i], k);
+        sink = error_sum(w, &w->tree[i], r);
     (void)sink;
     return now() - start;
 }
 
-static void race(struct kernel *const kernel[KERNEL_WIDTHS], const struct kind *kind, FILE *stream)
-{
-    static struct workload w;
-    double best[KERNEL_WIDTHS];
-    fill(&w, kernel[KERNEL_PLAIN], kind);
-    for (int round = 0; round < ROUNDS; round++)
-        for (int i = 0; i < KERNEL_WIDTHS; i++)
-            if (kernel[i])
-                best[i] = fmin(round == 0 ? INFINITY : best[i], lap(&w, kernel[i]));
-    for (int i = 0; i < KERNEL_WIDTHS; i++)
-        if (kernel[i])
-            fprintf(stream, "footpoint%s,%d,%.3e\n", kind->name, kernel_bits((enum kernel_width)i),
-                    (double)w.genes * SAMPLES / best[i]);
-    genome_file_free(w.program);
-    columns_free(&w.table);
-}
-
 void evolve_benchmark(FILE *stream)
 {
-    struct kernel *kernel[KERNEL_WIDTHS];
-    for (int k = 0; k < KERNEL_WIDTHS; k++)
-        kernel[k] = kernel_supports((enum kernel_width)k) ? kernel_new((enum kernel_width)k) : NULL;
-    fprintf(stream, "engine,bits,genes_samples_per_s\n");
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        race(kernel, &kinds[i], stream);
-    for (int k = 0; k < KERNEL_WIDTHS; k++)
-        kernel_free(kernel[k]);
+    static struct workload w;
+    fprintf(stream, "engine,genes_samples_per_s\n");
+    for (const struct kind *k = kinds; k < kinds + sizeof kinds / sizeof *kinds; k++) {
+        fill(&w, k);
+        struct lines_run *r = lines_run_new(NULL, &w.table);
+        double best = INFINITY;
+        for (int round = 0; round < ROUNDS; round++)
+            best = fmin(best, lap(&w, r));
+        fprintf(stream, "footpoint%s,%.3e\n", k->name, (double)w.genes * SAMPLES / best);
+        lines_run_free(r);
+        genome_file_free(w.program);
+        columns_free(&w.table);
+    }
 }

@@ -1,7 +1,7 @@
-/* The evaluator against a recursive evaluation of one sample at a time: equal bits for every vector width. */
+/* The evaluator of trees against a recursive evaluation of one sample at a time: equal bits. */
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
-#include "../../evolve/tiles/kernel.h"
+#include "../../evolve/eval/lines_run.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -19,7 +19,6 @@ static const char *const constant_text[] = {"0", "0.5", "-1.25", "3"};
 struct fixture {
     gsl_rng *rng;
     struct genome_file *program;
-    struct kernel *kernel[KERNEL_WIDTHS]; /* NULL: not supported here */
 };
 
 static int setup(void **state)
@@ -30,8 +29,6 @@ static int setup(void **state)
     f->program = genome_file_new("test");
     for (size_t i = 0; i < sizeof constant_text / sizeof *constant_text; i++)
         genome_add_constant(f->program, constant_text[i]);
-    for (int w = 0; w < KERNEL_WIDTHS; w++)
-        f->kernel[w] = kernel_supports((enum kernel_width)w) ? kernel_new((enum kernel_width)w) : NULL;
     *state = f;
     return 0;
 }
@@ -39,8 +36,6 @@ static int setup(void **state)
 static int teardown(void **state)
 {
     struct fixture *f = *state;
-    for (int w = 0; w < KERNEL_WIDTHS; w++)
-        kernel_free(f->kernel[w]);
     genome_file_free(f->program);
     gsl_rng_free(f->rng);
     free(f);
@@ -69,6 +64,29 @@ static size_t random_genome(gsl_rng *rng, const int *operators, size_t count, si
     for (int left = gene_arity(gene[0]); left-- > 0;)
         n += random_genome(rng, operators, count, room - n - (size_t)left, gene + n);
     return n;
+}
+
+/* A tree over a table. */
+struct task {
+    const int *gene;
+    size_t length;
+    const struct genome_constant *constant; /* NULL: decimal constants */
+    const struct columns *table;
+};
+
+static double error_sum(const struct task *t, double bound, double *work)
+{
+    struct lines_run *r = lines_run_new(NULL, t->table);
+    const double sum = lines_tree_error(r, t->gene, t->length, t->constant, SYMBOLS, bound);
+    *work = r->work;
+    lines_run_free(r);
+    return sum;
+}
+
+static double all_errors(const struct task *t)
+{
+    double work;
+    return error_sum(t, INFINITY, &work);
 }
 
 /* A sample of the table. */
@@ -132,13 +150,13 @@ static double lane_sum(const double *value, const struct point *p)
 {
     const size_t n = p->c->n;
     double sum = 0;
-    for (size_t first = 0; first < n; first += KERNEL_BLOCK) {
-        double lane[KERNEL_LANES] = {0};
-        for (size_t i = first; i < n && i < first + KERNEL_BLOCK; i++) {
+    for (size_t first = 0; first < n; first += SUM_BLOCK) {
+        double lane[TREE_LANES] = {0};
+        for (size_t i = first; i < n && i < first + SUM_BLOCK; i++) {
             const struct point at = {NULL, p->c, i};
-            lane[i % KERNEL_LANES] += fabs(value[i] - leaf_value(&at, GENE_SYMBOL + SYMBOLS));
+            lane[i % TREE_LANES] += fabs(value[i] - leaf_value(&at, GENE_SYMBOL + SYMBOLS));
         }
-        for (int half = KERNEL_LANES / 2; half > 0; half /= 2)
+        for (int half = TREE_LANES / 2; half > 0; half /= 2)
             for (int j = 0; j < half; j++)
                 lane[j] += lane[j + half];
         sum += lane[0];
@@ -146,37 +164,21 @@ static double lane_sum(const double *value, const struct point *p)
     return isfinite(sum) ? sum : INFINITY;
 }
 
-static void check_values(const struct fixture *f, const struct kernel_task *task, const double *expected)
+static void check_values(const struct task *task, const double *expected)
 {
     const size_t n = task->table->n;
     double *found = new_array(n + 1, sizeof *found);
-    for (int w = 0; w < KERNEL_WIDTHS; w++) {
-        if (!f->kernel[w])
-            continue;
-        found[n] = 12345;
-        kernel_values(f->kernel[w], task, found);
-        for (size_t i = 0; i < n; i++)
-            if (!same_bits(expected[i], found[i]))
-                fail_msg("%d bits, sample %zu of %zu: %a, expected %a", kernel_bits((enum kernel_width)w), i, n,
-                         found[i], expected[i]);
-        assert_true(found[n] == 12345);
-    }
+    found[n] = 12345;
+    table_values(task->table, task->constant, task->gene, task->length, found);
+    for (size_t i = 0; i < n; i++)
+        if (!same_bits(expected[i], found[i]))
+            fail_msg("sample %zu of %zu: %a, expected %a", i, n, found[i], expected[i]);
+    assert_true(found[n] == 12345);
     free(found);
 }
 
-static void check_sums(const struct fixture *f, const struct kernel_task *task, double expected)
-{
-    for (int w = 0; w < KERNEL_WIDTHS; w++) {
-        if (!f->kernel[w])
-            continue;
-        const double sum = kernel_error_sum(f->kernel[w], task, SYMBOLS, INFINITY);
-        if (!same_bits(expected, sum))
-            fail_msg("%d bits: sum %a, expected %a", kernel_bits((enum kernel_width)w), sum, expected);
-    }
-}
-
-/* Checks values and sums of a genome for all widths. */
-static void check_task(const struct fixture *f, const struct kernel_task *task)
+/* Checks values and sums of a genome. */
+static void check_task(const struct task *task)
 {
     const struct columns *c = task->table;
     double *expected = new_array(c->n, sizeof *expected);
@@ -186,21 +188,23 @@ static void check_task(const struct fixture *f, const struct kernel_task *task)
         expected[p.i] = recursive_value(&at, &p);
         assert_true(at == task->gene + task->length);
     }
-    check_values(f, task, expected);
-    check_sums(f, task, lane_sum(expected, &p));
+    check_values(task, expected);
+    const double sum = all_errors(task), expected_sum = lane_sum(expected, &p);
+    if (!same_bits(expected_sum, sum))
+        fail_msg("sum %a, expected %a", sum, expected_sum);
     free(expected);
 }
 
 static void check_genome(const struct fixture *f, const struct columns *c, const int *gene, size_t length)
 {
-    check_task(f, &(struct kernel_task){gene, length, f->program->constant, c});
+    check_task(&(struct task){gene, length, f->program->constant, c});
 }
 
 /* All operators agree; numbers of samples are near multiples of blocks and lanes. */
 static void values_match_recursion(void **state)
 {
     static const size_t sizes[] = {
-        1, 15, 16, 17, 127, 129, KERNEL_BLOCK - 1, KERNEL_BLOCK, KERNEL_BLOCK + 1, 3 * KERNEL_BLOCK + 37};
+        1, 15, 16, 17, 127, 129, SUM_BLOCK - 1, SUM_BLOCK, SUM_BLOCK + 1, 3 * SUM_BLOCK + 37};
     const struct fixture *f = *state;
     int all[GENE_OPERATORS], gene[LONGEST];
     for (int i = 0; i < GENE_OPERATORS; i++)
@@ -236,11 +240,10 @@ static void decimal_constants(void **state)
     const int indexed[] = {GENE_MUL, GENE_ADD, GENE_SYMBOL, -1, -2};
     const struct genome_constant constant[] = {{NULL, 0.1}, {NULL, -1.25}};
     struct columns c = random_table(f->rng, 1000);
-    const struct kernel_task a = {decimal, 5, NULL, &c}, b = {indexed, 5, constant, &c};
-    check_task(f, &a);
-    check_task(f, &b);
-    assert_true(same_bits(kernel_error_sum(f->kernel[KERNEL_PLAIN], &a, SYMBOLS, INFINITY),
-                          kernel_error_sum(f->kernel[KERNEL_PLAIN], &b, SYMBOLS, INFINITY)));
+    const struct task a = {decimal, 5, NULL, &c}, b = {indexed, 5, constant, &c};
+    check_task(&a);
+    check_task(&b);
+    assert_true(same_bits(all_errors(&a), all_errors(&b)));
     columns_free(&c);
 }
 
@@ -260,7 +263,7 @@ static size_t shaped_genome(gsl_rng *rng, enum shape shape, int depth, bool slow
     return n;
 }
 
-/* Genomes have thousands of genes, or need many slots. */
+/* Genomes have thousands of genes, or need many blocks. */
 static void long_genomes(void **state)
 {
     enum { ROOM = 1 << 13 };
@@ -340,17 +343,15 @@ static void nonfinite_values_make_the_sum_infinite(void **state)
     const int leaf[] = {GENE_SYMBOL};
     static const double bad[] = {NAN, INFINITY, -INFINITY};
     struct columns c = random_table(f->rng, 1000);
-    const struct kernel_task task = {leaf, 1, f->program->constant, &c};
+    const struct task task = {leaf, 1, f->program->constant, &c};
     for (size_t i = 0; i < c.n; i += 111)
         for (size_t k = 0; k < 3; k++) {
             const double kept = columns_at(&c, 0)[i];
             columns_at(&c, 0)[i] = bad[k];
-            for (int w = 0; w < KERNEL_WIDTHS; w++)
-                if (f->kernel[w])
-                    assert_true(kernel_error_sum(f->kernel[w], &task, SYMBOLS, INFINITY) == INFINITY);
+            assert_true(all_errors(&task) == INFINITY);
             columns_at(&c, 0)[i] = kept;
         }
-    assert_true(isfinite(kernel_error_sum(f->kernel[KERNEL_PLAIN], &task, SYMBOLS, INFINITY)));
+    assert_true(isfinite(all_errors(&task)));
     columns_free(&c);
 }
 
@@ -359,21 +360,15 @@ static void early_end(void **state)
 {
     const struct fixture *f = *state;
     const int leaf[] = {GENE_SYMBOL};
-    struct columns c = random_table(f->rng, 10 * KERNEL_BLOCK);
-    const struct kernel_task task = {leaf, 1, f->program->constant, &c};
-    const double sum = kernel_error_sum(f->kernel[KERNEL_PLAIN], &task, SYMBOLS, INFINITY);
-    for (int w = 0; w < KERNEL_WIDTHS; w++) {
-        struct kernel *k = f->kernel[w];
-        if (!k)
-            continue;
-        assert_true(same_bits(kernel_error_sum(k, &task, SYMBOLS, sum), sum));
-        assert_true(kernel_error_sum(k, &task, SYMBOLS, nextafter(sum, 0)) == INFINITY);
-        const double before = kernel_work(k);
-        assert_true(kernel_error_sum(k, &task, SYMBOLS, 0.25 * sum) == INFINITY);
-        const double blocks = (kernel_work(k) - before) / KERNEL_BLOCK;
-        if (!(blocks >= 2 && blocks <= 4))
-            fail_msg("%d bits: %g of 10 blocks for a quarter of the sum", kernel_bits((enum kernel_width)w), blocks);
-    }
+    struct columns c = random_table(f->rng, 10 * SUM_BLOCK);
+    const struct task task = {leaf, 1, f->program->constant, &c};
+    const double sum = all_errors(&task);
+    double work;
+    assert_true(same_bits(error_sum(&task, sum, &work), sum));
+    assert_true(error_sum(&task, nextafter(sum, 0), &work) == INFINITY);
+    assert_true(error_sum(&task, 0.25 * sum, &work) == INFINITY);
+    if (!(work >= 2 * SUM_BLOCK && work <= 4 * SUM_BLOCK))
+        fail_msg("%g of 10 blocks for a quarter of the sum", work / SUM_BLOCK);
     columns_free(&c);
 }
 
@@ -388,5 +383,5 @@ int main(void)
         cmocka_unit_test_setup_teardown(nonfinite_values_make_the_sum_infinite, setup, teardown),
         cmocka_unit_test_setup_teardown(early_end, setup, teardown),
     };
-    return cmocka_run_group_tests_name("kernel", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("tree_values", tests, NULL, NULL);
 }
