@@ -1,5 +1,4 @@
-/* Register programs; see line_program.h. A hash table of lines finds equal values. Each function of the frame is
- * compiled once: the lets of its body become lines. */
+/* Register programs; see line_program.h. A hash table of lines finds equal values. */
 #include "line_program.h"
 
 #include "../../codegen/base/random.h"
@@ -10,78 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NUMBER = LINE_NUMBER, PARAMETER = -2 }; /* genes of leaves; operand a of a parameter is 0 or 1, for xi or eta */
-
-struct line_body {
-    struct line *line; /* owned */
-    size_t lines, room;
-    int to[2];
-};
-
-/* ---- functions ---- */
-
-/* Compiles a function. */
-struct compiler {
-    const struct genome_file *program;
-    const struct genome_function *function;
-    struct line_body *body;
-    int *symbol, *local; /* owned: line of each symbol, and of each parameter and let of the function; -1: not compiled
-                          * yet */
-};
-
-static int add_body_line(struct line_body *b, struct line line)
-{
-    grow_array(&b->line, b->lines, &b->room, sizeof *b->line);
-    b->line[b->lines] = line;
-    return (int)b->lines++;
-}
-
-static int line_of_gene(void *compiler, int gene, int a, int b);
-
-static int line_of_local(struct compiler *c, int local)
-{
-    const int lets = c->function->first_let - GENE_LOCAL;
-    if (local < lets)
-        return add_body_line(c->body, (struct line){PARAMETER, local, -1, 0});
-    const struct genome_expr *let = &c->function->let[local - lets];
-    return gene_fold(let->gene, let->length, line_of_gene, c);
-}
-
-static int line_of_gene(void *compiler, int gene, int a, int b)
-{
-    struct compiler *c = compiler;
-    if (!gene_is_leaf(gene))
-        return add_body_line(c->body, (struct line){gene, a, b, 0});
-    if (gene < 0)
-        return add_body_line(c->body, (struct line){NUMBER, -1, -1, c->program->constant[-1 - gene].value});
-    int *line = gene >= GENE_LOCAL ? &c->local[gene - GENE_LOCAL] : &c->symbol[gene - GENE_SYMBOL];
-    if (*line < 0)
-        *line = gene >= GENE_LOCAL ? line_of_local(c, gene - GENE_LOCAL)
-                                   : add_body_line(c->body, (struct line){gene, -1, -1, 0});
-    return *line;
-}
-
 int *no_lines(size_t n)
 {
     int *line = new_array(n, sizeof *line);
     for (size_t i = 0; i < n; i++)
         line[i] = -1;
     return line;
-}
-
-/* Compiles a function. It gets no body unless it maps two numbers to two or more. */
-static struct line_body compile(const struct genome_file *f, const struct genome_function *function)
-{
-    struct line_body b = {0};
-    if (!genome_function_of_pair(function))
-        return b;
-    const size_t locals = (size_t)(function->first_let - GENE_LOCAL) + function->lets;
-    struct compiler c = {f, function, &b, no_lines(f->inputs + f->lets), no_lines(locals)};
-    for (int k = 0; k < 2; k++)
-        b.to[k] = line_of_gene(&c, function->result[k].gene, -1, -1);
-    free(c.symbol);
-    free(c.local);
-    return b;
 }
 
 int line_function(const struct genome_file *program, const char *name)
@@ -167,9 +100,6 @@ struct line_rules *line_rules_new(const struct genome_file *program)
         for (int k = 0; k < 2; k++)
             r->partner[program->exchange[i][k]] = program->exchange[i][1 - k];
     find_powers(r);
-    r->body = new_array(program->functions, sizeof *r->body);
-    for (size_t i = 0; i < program->functions; i++)
-        r->body[i] = compile(program, &program->function[i]);
     return r;
 }
 
@@ -177,9 +107,6 @@ void line_rules_free(struct line_rules *r)
 {
     if (!r)
         return;
-    for (size_t i = 0; i < r->program->functions; i++)
-        free(r->body[i].line);
-    free(r->body);
     free(r->partner);
     free(r->power);
     free(r);
@@ -280,18 +207,18 @@ int lines_symbol(struct lines *c, int gene)
 
 int lines_number(struct lines *c, double value)
 {
-    return line_of(c, (struct line){NUMBER, -1, -1, value == 0 ? 0 : value});
+    return line_of(c, (struct line){LINE_NUMBER, -1, -1, value == 0 ? 0 : value});
 }
 
 /* Returns true if line i is this number. A number that is to be fitted has no fixed value yet, so it never matches. */
 static bool is_number(const struct lines *c, int i, double value)
 {
-    return i >= 0 && c->line[i].gene == NUMBER && c->line[i].a == -1 && c->line[i].number == value;
+    return i >= 0 && c->line[i].gene == LINE_NUMBER && c->line[i].a == -1 && c->line[i].number == value;
 }
 
 static bool is_known(const struct lines *c, int i)
 {
-    return c->line[i].gene == NUMBER && c->line[i].a == -1;
+    return c->line[i].gene == LINE_NUMBER && c->line[i].a == -1;
 }
 
 /* Returns the existing line to which an operation simplifies, or -1 if it does not simplify. */
@@ -338,19 +265,40 @@ static void reserve_map(struct lines *c, size_t n)
     c->map = new_array(c->map_room, sizeof *c->map);
 }
 
+/* A call of a function. */
+struct call {
+    struct lines *lines;
+    const struct genome_function *function;
+    int *local; /* line of each parameter and let of the function; -1: not computed yet */
+};
+
+static int line_of_gene(void *call, int gene, int a, int b)
+{
+    struct call *c = call;
+    if (!gene_is_leaf(gene))
+        return lines_operation(c->lines, gene, a, b);
+    if (gene < 0)
+        return lines_number(c->lines, c->lines->rules->program->constant[-1 - gene].value);
+    if (gene < GENE_LOCAL)
+        return lines_symbol(c->lines, gene);
+    int *line = &c->local[gene - GENE_LOCAL];
+    if (*line < 0) {
+        const struct genome_expr *let = &c->function->let[gene - c->function->first_let];
+        *line = gene_fold(let->gene, let->length, line_of_gene, c);
+    }
+    return *line;
+}
+
 void lines_call(struct lines *c, int function, int x[2])
 {
-    const struct line_body *b = &c->rules->body[function];
-    reserve_map(c, b->lines);
-    for (size_t i = 0; i < b->lines; i++) {
-        const struct line *y = &b->line[i];
-        c->map[i] = y->gene == PARAMETER ? x[y->a]
-                    : y->gene == NUMBER  ? lines_number(c, y->number)
-                    : y->a < 0           ? lines_symbol(c, y->gene)
-                                         : lines_operation(c, y->gene, c->map[y->a], y->b >= 0 ? c->map[y->b] : -1);
-    }
-    x[0] = c->map[b->to[0]];
-    x[1] = c->map[b->to[1]];
+    const struct genome_function *f = &c->rules->program->function[function];
+    const size_t locals = (size_t)(f->first_let - GENE_LOCAL) + f->lets;
+    reserve_map(c, locals);
+    for (size_t i = 0; i < locals; i++)
+        c->map[i] = i < 2 ? x[i] : -1;
+    struct call call = {c, f, c->map};
+    for (int k = 0; k < 2; k++)
+        x[k] = line_of_gene(&call, f->result[k].gene, -1, -1);
 }
 
 int lines_take(struct lines *to, const struct lines *from, int i, int *map)
@@ -362,7 +310,7 @@ int lines_take(struct lines *to, const struct lines *from, int i, int *map)
         const int a = lines_take(to, from, x->a, map), b = x->b >= 0 ? lines_take(to, from, x->b, map) : -1;
         return map[i] = lines_operation(to, x->gene, a, b);
     }
-    return map[i] = x->gene == NUMBER ? lines_number(to, x->number) : lines_symbol(to, x->gene);
+    return map[i] = x->gene == LINE_NUMBER ? lines_number(to, x->number) : lines_symbol(to, x->gene);
 }
 
 /* Sets needed[] and divides[]. */
@@ -447,7 +395,7 @@ static int load_operand(struct lines *c, const struct genes *t, size_t at, const
     const double value = decimal_value(gene);
     if (!apart || is_kept(value))
         return lines_number(c, value);
-    const int own = line_of(c, (struct line){NUMBER, -2 - (int)at, -1, value});
+    const int own = line_of(c, (struct line){LINE_NUMBER, -2 - (int)at, -1, value});
     for (size_t i = 0; i < c->numbers; i++)
         if (c->number[i] == (size_t)own)
             return own;
@@ -490,7 +438,7 @@ static int line_as_it_is(void *expression, int gene, int a, int b)
     if (gene >= 0)
         return line_of(e->lines, (struct line){gene, a, b, 0});
     const double value = e->constant ? e->constant[-1 - gene].value : decimal_value(gene);
-    return line_of(e->lines, (struct line){NUMBER, -1, -1, value});
+    return line_of(e->lines, (struct line){LINE_NUMBER, -1, -1, value});
 }
 
 void lines_expression(struct lines *c, const int *gene, size_t length, const struct genome_constant *constant)
@@ -503,7 +451,7 @@ void lines_expression(struct lines *c, const int *gene, size_t length, const str
 static int operand_gene(const struct lines *c, int i, const int *number)
 {
     const struct line *x = &c->line[i];
-    return line_is_operation(x) ? LINE_GENE + number[i] : x->gene == NUMBER ? decimal_gene(x->number) : x->gene;
+    return line_is_operation(x) ? LINE_GENE + number[i] : x->gene == LINE_NUMBER ? decimal_gene(x->number) : x->gene;
 }
 
 /* Numbers operations in the order in which the answers reach them, so that equal programs get equal genes. */

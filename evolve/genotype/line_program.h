@@ -28,10 +28,8 @@ enum {
 struct line_rules {
     const struct genome_file *program; /* not owned */
     size_t symbols;
-    size_t *partner;        /* owned: partner[i] is the image of symbol i under exchange of xi and eta */
-    signed char *power;     /* owned: power[i] is the power of length of symbol i, or ANY_POWER */
-    struct line_body *body; /* owned: indexed by the program's functions; only those that map two numbers to two or
-                             * more */
+    size_t *partner;    /* owned: partner[i] is the image of symbol i under exchange of xi and eta */
+    signed char *power; /* owned: power[i] is the power of length of symbol i, or ANY_POWER */
 };
 /** Returns rules for `program`, which must outlive them. The program may get more lets later. */
 struct line_rules *line_rules_new(const struct genome_file *program);
