@@ -278,7 +278,7 @@ struct operation_count archive_operations(const struct archive *a, const struct 
 {
     if (quest_of_programs(q))
         return count_lines(a->counter, t, q->last);
-    struct counter *c = counter_new(t->length);
+    struct counter *c = counter_new();
     const struct operation_count o = count_operations(c, t, constant);
     counter_free(c);
     return o;

@@ -7,9 +7,8 @@
 struct lines_counter {
     const struct genome_file *program; /* not owned */
     struct lines *code;                /* owned */
-    struct counter *counter;
-    size_t capacity, symbols, let_genes;
-    int *value, *line; /* by symbol; by line */
+    struct counter *counter;           /* owned, as are the arrays */
+    int *value, *line;                 /* by symbol; by line */
     size_t line_room;
     unsigned *round, now; /* indexed by symbol: the count in which its value was made */
 };
@@ -19,11 +18,9 @@ struct lines_counter *lines_counter_new(const struct line_rules *t)
     struct lines_counter *c = new_array(1, sizeof *c);
     c->program = t->program;
     c->code = lines_new(t);
-    c->symbols = t->symbols;
-    for (size_t i = 0; i + t->program->inputs < c->symbols; i++)
-        c->let_genes += t->program->let[i].length;
-    c->value = new_array(c->symbols, sizeof *c->value);
-    c->round = new_array(c->symbols, sizeof *c->round);
+    c->counter = counter_new();
+    c->value = new_array(t->symbols, sizeof *c->value);
+    c->round = new_array(t->symbols, sizeof *c->round);
     return c;
 }
 
@@ -63,16 +60,11 @@ static int value_of_gene(void *counter, int gene, int a, int b)
 
 static void reserve(struct lines_counter *c, size_t lines)
 {
-    if (lines > c->line_room) {
-        free(c->line);
-        c->line_room = 2 * lines;
-        c->line = new_array(c->line_room, sizeof *c->line);
-    }
-    if (lines + c->symbols + c->let_genes > c->capacity) {
-        counter_free(c->counter);
-        c->capacity = 2 * lines + c->symbols + c->let_genes;
-        c->counter = counter_new(c->capacity);
-    }
+    if (lines <= c->line_room)
+        return;
+    free(c->line);
+    c->line_room = 2 * lines;
+    c->line = new_array(c->line_room, sizeof *c->line);
 }
 
 struct operation_count count_lines(struct lines_counter *c, const struct genes *t, int last)

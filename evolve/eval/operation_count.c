@@ -24,6 +24,7 @@ struct node {
 struct counter {
     struct node *node; /* owned; operands precede their users */
     int nodes;
+    size_t room;
     struct index_table known; /* nodes by hash */
 };
 
@@ -48,11 +49,9 @@ double operations_price(const struct operation_count *o, const struct prices *m)
     return o->mul + m->add * (o->add + o->other) + m->div * o->div + m->path * o->path;
 }
 
-struct counter *counter_new(size_t max_length)
+struct counter *counter_new(void)
 {
-    struct counter *c = new_array(1, sizeof *c);
-    c->node = new_array(max_length, sizeof *c->node);
-    return c;
+    return new_array(1, sizeof(struct counter));
 }
 
 void counter_free(struct counter *c)
@@ -80,6 +79,7 @@ static int node_of(struct counter *c, struct node n)
     if (known >= 0)
         return known;
     index_add(&c->known, n.hash, c->nodes);
+    grow_array(&c->node, (size_t)c->nodes, &c->room, sizeof *c->node);
     c->node[c->nodes] = n;
     return c->nodes++;
 }
@@ -117,6 +117,14 @@ static void sort_operands(const struct counter *c, struct operand *a, struct ope
     }
 }
 
+/* Returns the value of an operation on two nodes. `tag` distinguishes operations whose values differ. */
+static struct operand value_of(struct counter *c, enum kind kind, unsigned tag, struct operand a, struct operand b,
+                               bool negative)
+{
+    const uint64_t hash = mix(mix(tag, c->node[a.node].hash), c->node[b.node].hash);
+    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, kind, false, 0}), negative};
+}
+
 static struct operand sum(struct counter *c, struct operand a, struct operand b)
 {
     if (is_size(c, a, 0))
@@ -126,9 +134,7 @@ static struct operand sum(struct counter *c, struct operand a, struct operand b)
     if (a.node == b.node && a.negative != b.negative)
         return constant_of(c, 0);
     sort_operands(c, &a, &b);
-    const uint64_t hash =
-        mix(mix(SUM + (a.negative != b.negative ? 16u : 0u), c->node[a.node].hash), c->node[b.node].hash);
-    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, SUM, false, 0}), a.negative};
+    return value_of(c, SUM, SUM + (a.negative != b.negative ? 16u : 0u), a, b, a.negative);
 }
 
 static struct operand product(struct counter *c, struct operand a, struct operand b)
@@ -141,8 +147,7 @@ static struct operand product(struct counter *c, struct operand a, struct operan
     if (is_size(c, b, 1))
         return (struct operand){a.node, negative};
     sort_operands(c, &a, &b);
-    const uint64_t hash = mix(mix(PRODUCT, c->node[a.node].hash), c->node[b.node].hash);
-    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, PRODUCT, false, 0}), negative};
+    return value_of(c, PRODUCT, PRODUCT, a, b, negative);
 }
 
 /* Adds a protected quotient. It is 1 where its divisor is 0, so its sign cannot be factored out. */
@@ -155,23 +160,19 @@ static struct operand quotient(struct counter *c, int gene, struct operand a, st
     if (plain && is_size(c, b, 1))
         return (struct operand){a.node, negative};
     const unsigned sign = plain ? 0u : (a.negative ? 16u : 0u) + (b.negative ? 32u : 0u) + 64u;
-    const uint64_t hash = mix(mix(QUOTIENT + sign, c->node[a.node].hash), c->node[b.node].hash);
-    const enum kind kind = is_constant(c, b) ? PRODUCT : QUOTIENT;
-    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, kind, false, 0}), negative};
+    return value_of(c, is_constant(c, b) ? PRODUCT : QUOTIENT, QUOTIENT + sign, a, b, negative);
 }
 
 static struct operand other(struct counter *c, int gene, struct operand a, struct operand b)
 {
-    const bool single = gene_arity(gene) == 1;
     if (gene == GENE_ABS)
         a.negative = false;
-    if (single)
+    if (gene_arity(gene) == 1)
         b = a;
     else
         sort_operands(c, &a, &b);
     const unsigned sign = (a.negative ? 64u : 0u) + (b.negative ? 128u : 0u);
-    const uint64_t hash = mix(mix(OTHER + sign + 256u * (unsigned)gene, c->node[a.node].hash), c->node[b.node].hash);
-    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, OTHER, false, 0}), false};
+    return value_of(c, OTHER, OTHER + sign + 256u * (unsigned)gene, a, b, false);
 }
 
 static struct operand operation(struct counter *c, int gene, struct operand a, struct operand b)

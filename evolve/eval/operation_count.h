@@ -21,12 +21,12 @@ struct prices {
 };
 double operations_price(const struct operation_count *o, const struct prices *m);
 
-/** Workspace for trees of at most max_length genes, or for as many leaves and operations. */
+/** Workspace. */
 struct counter;
-struct counter *counter_new(size_t max_length);
+struct counter *counter_new(void);
 void counter_free(struct counter *c);
 
-/** Counts in time proportional to the number of genes, without allocation.
+/** Counts in time proportional to the number of genes.
  *  @param[in] constant  the constants to which genes refer; NULL: decimal numbers (decimal.h) */
 struct operation_count count_operations(struct counter *c, const struct genes *t,
                                         const struct genome_constant *constant);

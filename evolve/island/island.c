@@ -17,7 +17,7 @@ struct island *island_new(const struct plan *plan, const struct goal *goal, stru
     *is = (struct island){.plan = plan, .goal = *goal, .objective = objective, .bound = INFINITY};
     const size_t n = plan->population, room = 2 * n + 2;
     is->rng = stream_new();
-    is->counter = counter_new(goal->max_length);
+    is->counter = counter_new();
     is->frame = frame_cost_new(objective->program, &plan->prices);
     is->lines = lines_counter_new(objective->rules);
     is->now = new_array(room, sizeof *is->now);

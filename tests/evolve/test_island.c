@@ -107,7 +107,7 @@ static uint64_t structure(const struct fixture *f, enum breeding breeding, const
 {
     uint64_t hash;
     if (breeding == BREED_PAPER) {
-        struct counter *c = counter_new(MAX_LENGTH);
+        struct counter *c = counter_new();
         hash = count_operations(c, t, NULL).hash;
         counter_free(c);
     } else {

@@ -70,7 +70,7 @@ static void known_counts(void **state)
 {
     (void)state;
     int gene[MAX_LENGTH];
-    struct counter *c = counter_new(MAX_LENGTH);
+    struct counter *c = counter_new();
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         const struct genes t = parse(known[i].text, gene);
         const struct operation_count o = count_operations(c, &t, NULL);
@@ -115,7 +115,7 @@ static void equal_hashes_mean_equal_errors(void **state)
     int gene[MAX_LENGTH], other[MAX_LENGTH];
     struct genes t = {gene, 0}, u = {other, 0};
     size_t repeats = 0;
-    struct counter *c = counter_new(MAX_LENGTH);
+    struct counter *c = counter_new();
     struct columns table = columns_new(SAMPLES, 3);
     gsl_rng *rng = stream_new();
     stream_key(rng, 1, 2, 3, 4);
@@ -154,7 +154,7 @@ static void prices(void **state)
 {
     (void)state;
     int gene[MAX_LENGTH];
-    struct counter *c = counter_new(MAX_LENGTH);
+    struct counter *c = counter_new();
     const struct genes t = parse("%+x*xy+1y", gene);
     const struct operation_count o = count_operations(c, &t, NULL);
     assert_true(operations_price(&o, &(struct prices){.add = 0, .div = 1}) == 2);
