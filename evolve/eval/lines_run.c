@@ -24,14 +24,9 @@ void lines_run_free(struct lines_run *r)
     if (!r)
         return;
     lines_free(r->code);
-    free(r->value);
-    free(r->slope);
+    arena_free(&r->arena);
     columns_free(&r->block);
     columns_free(&r->slopes);
-    free(r->place);
-    free(r->varies);
-    free(r->above);
-    free(r->below);
     free(r);
 }
 
@@ -96,18 +91,13 @@ static void reserve(struct lines_run *r)
     const struct lines *c = r->code;
     if (c->lines > r->room) {
         r->room = 2 * c->lines;
-        free(r->value);
-        free(r->slope);
-        free(r->place);
-        free(r->varies);
-        free(r->above);
-        free(r->below);
-        r->value = new_array(r->room, sizeof *r->value);
-        r->slope = new_array(r->room, sizeof *r->slope);
-        r->place = new_array(r->room, sizeof *r->place);
-        r->varies = new_array(r->room, sizeof *r->varies);
-        r->above = new_array(r->room, sizeof *r->above);
-        r->below = new_array(r->room, sizeof *r->below);
+        arena_free(&r->arena);
+        r->value = arena_array(&r->arena, r->room, sizeof *r->value);
+        r->slope = arena_array(&r->arena, r->room, sizeof *r->slope);
+        r->place = arena_array(&r->arena, r->room, sizeof *r->place);
+        r->varies = arena_array(&r->arena, r->room, sizeof *r->varies);
+        r->above = arena_array(&r->arena, r->room, sizeof *r->above);
+        r->below = arena_array(&r->arena, r->room, sizeof *r->below);
     }
     reserve_blocks(&r->block, share_blocks(r));
 }

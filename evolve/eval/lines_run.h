@@ -9,13 +9,14 @@
 /** Workspace for a table whose last two columns are the true xi and eta. */
 struct lines_run {
     const struct columns *table;  /* not owned */
+    struct arena arena;           /* owned: of the arrays */
     struct lines *code;           /* owned: the program */
-    const double **value;         /* owned: by line; blocks or rows of the table */
-    double **slope;               /* owned: by line; NULL if not needed */
+    const double **value;         /* by line; blocks or rows of the table */
+    double **slope;               /* by line; NULL if not needed */
     struct columns block, slopes; /* owned: blocks of TAPE_BLOCK, aligned */
-    size_t *place;                /* owned: by line; its block */
-    bool *varies;                 /* owned: by line; depends on a line whose slope is wanted */
-    size_t *above, *below;        /* owned: by line; number of samples so far on which a divisor was > 0 or < 0 */
+    size_t *place;                /* by line; its block */
+    bool *varies;                 /* by line; depends on a line whose slope is wanted */
+    size_t *above, *below;        /* by line; number of samples so far on which a divisor was > 0 or < 0 */
     size_t room;
     bool all;    /* every line keeps its own block */
     double work; /* lines of programs, or genes of trees, times samples evaluated so far */

@@ -18,16 +18,6 @@ struct line_editor *line_editor_new(const struct line_rules *r)
     return e;
 }
 
-static void free_arrays(struct line_editor *e)
-{
-    free(e->map);
-    free(e->clean);
-    free(e->image);
-    free(e->power);
-    free(e->mate_power);
-    free(e->depends);
-}
-
 void line_editor_free(struct line_editor *e)
 {
     if (!e)
@@ -35,7 +25,7 @@ void line_editor_free(struct line_editor *e)
     lines_free(e->from);
     lines_free(e->mate);
     lines_free(e->to);
-    free_arrays(e);
+    arena_free(&e->arena);
     free(e);
 }
 
@@ -43,14 +33,14 @@ static void reserve(struct line_editor *e, size_t lines)
 {
     if (lines <= e->room)
         return;
-    free_arrays(e);
+    arena_free(&e->arena);
     e->room = 2 * lines;
-    e->map = new_array(e->room, sizeof *e->map);
-    e->clean = new_array(e->room, sizeof *e->clean);
-    e->image = new_array(e->room, sizeof *e->image);
-    e->power = new_array(e->room, sizeof *e->power);
-    e->mate_power = new_array(e->room, sizeof *e->mate_power);
-    e->depends = new_array(e->room, sizeof *e->depends);
+    e->map = arena_array(&e->arena, e->room, sizeof *e->map);
+    e->clean = arena_array(&e->arena, e->room, sizeof *e->clean);
+    e->image = arena_array(&e->arena, e->room, sizeof *e->image);
+    e->power = arena_array(&e->arena, e->room, sizeof *e->power);
+    e->mate_power = arena_array(&e->arena, e->room, sizeof *e->mate_power);
+    e->depends = arena_array(&e->arena, e->room, sizeof *e->depends);
 }
 
 static void none(int *map, size_t n)

@@ -24,6 +24,7 @@ struct line_edit {
 struct line_editor {
     const struct line_rules *rules; /* not owned */
     struct lines *from, *mate, *to; /* owned */
+    struct arena arena;             /* owned: of the following arrays */
     int *map, *clean, *image;
     signed char *power, *mate_power;
     bool *depends;

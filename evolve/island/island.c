@@ -20,14 +20,14 @@ struct island *island_new(const struct plan *plan, const struct goal *goal, stru
     is->counter = counter_new();
     is->frame = frame_cost_new(objective->program, &plan->prices);
     is->lines = lines_counter_new(objective->rules);
-    is->now = new_array(room, sizeof *is->now);
-    is->order = new_array(room, sizeof *is->order);
-    is->fate = new_array(room, sizeof *is->fate);
-    is->crowd = new_array(plan->front_limit + 1, sizeof *is->crowd);
-    is->pool = new_array((room + 1) * goal->max_length, sizeof *is->pool);
-    is->cumulative = new_array(n, sizeof *is->cumulative);
-    is->reference = new_array(plan->front_limit + 1, sizeof *is->reference);
-    is->cache = new_array((size_t)1 << CACHE_BITS, sizeof *is->cache);
+    is->now = arena_array(&is->arena, room, sizeof *is->now);
+    is->order = arena_array(&is->arena, room, sizeof *is->order);
+    is->fate = arena_array(&is->arena, room, sizeof *is->fate);
+    is->crowd = arena_array(&is->arena, plan->front_limit + 1, sizeof *is->crowd);
+    is->pool = arena_array(&is->arena, (room + 1) * goal->max_length, sizeof *is->pool);
+    is->cumulative = arena_array(&is->arena, n, sizeof *is->cumulative);
+    is->reference = arena_array(&is->arena, plan->front_limit + 1, sizeof *is->reference);
+    is->cache = arena_array(&is->arena, (size_t)1 << CACHE_BITS, sizeof *is->cache);
     is->front = front_new(goal->limit ? goal->limit : plan->front_limit, goal->max_length);
     for (size_t i = 0; i < room; i++)
         is->now[i].genes.gene = is->pool + i * goal->max_length;
@@ -44,15 +44,8 @@ void island_free(struct island *is)
     frame_cost_free(is->frame);
     lines_counter_free(is->lines);
     front_free(is->front);
-    free(is->now);
-    free(is->order);
-    free(is->fate);
-    free(is->crowd);
     index_free(&is->met);
-    free(is->pool);
-    free(is->cumulative);
-    free(is->reference);
-    free(is->cache);
+    arena_free(&is->arena);
     free(is);
 }
 

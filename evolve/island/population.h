@@ -23,25 +23,26 @@ struct island {
     /* State that the next generations depend on. Random streams start anew in each generation. */
     uint64_t generation;
     uint64_t evaluations;     /* for display only */
-    struct individual *now;   /* owned: room for 2 * population + 2; the first `population` are the living, best
+    struct individual *now;   /* in the arena: room for 2 * population + 2; the first `population` are the living, best
                                * first */
     double bound;             /* evaluation stops above it. BREED_PAPER: an error; BREED_FRONT: a multiple of the
                                * front's error */
-    struct remembered *cache; /* owned: 1 << CACHE_BITS */
+    struct remembered *cache; /* in the arena: 1 << CACHE_BITS */
     struct front *front;      /* owned: the best so far */
 
-    /* Scratch, and values derived from the state. */
+    /* Scratch, and values derived from the state; arrays are in the arena. */
+    struct arena arena;          /* owned */
     gsl_rng *rng;                /* owned */
     struct counter *counter;     /* owned */
     struct frame_cost *frame;    /* owned: of the objective's program */
     struct lines_counter *lines; /* owned: for programs, whose cost includes the frame's values that they need */
-    int *pool;                   /* owned: genes of now[] and scratch */
-    struct individual *order;    /* owned: like now[] */
-    unsigned char *fate;         /* owned: like now[] */
-    size_t *crowd;               /* owned: number of individuals of each cost */
+    int *pool;                   /* genes of now[] and scratch */
+    struct individual *order;    /* like now[] */
+    unsigned char *fate;         /* like now[] */
+    size_t *crowd;               /* number of individuals of each cost */
     struct index_table met;      /* hashes and errors of the survivors so far */
-    double *cumulative;          /* owned: roulette wheel of the living */
-    double *reference;           /* owned: the front's error at each cost when the generation began */
+    double *cumulative;          /* roulette wheel of the living */
+    double *reference;           /* the front's error at each cost when the generation began */
     struct genes scratch;        /* in the pool */
     struct individual best;      /* lowest plan_fitness; its tree is in the front */
 };
