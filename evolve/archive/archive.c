@@ -38,15 +38,15 @@ static void make_quests(struct archive *a)
 }
 
 /* Returns the program that a genome's outputs make, its genes owned by the caller. Length 0 if it needs other values
- * than the tier's or has more than `most` genes. */
-static struct genes program_of(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
-                               const struct genome_expr *eta, size_t tier, bool called, size_t most)
+ * than the tier's or is too long. */
+static struct genes read_program(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
+                                 const struct genome_expr *eta, size_t tier)
 {
     const struct tier *t = &a->scene->tier[tier];
     const struct gene_set genes = {.symbol = archive_symbols(a, tier), .symbols = t->terminals};
     const struct genome_expr *const out[2] = {xi, eta};
-    struct genes program = {new_array(most, sizeof *program.gene), 0};
-    if (!xi || !eta || !lines_read(a->lines, f, out, &genes, called, most, &program)) {
+    struct genes program = {new_array(tier_genes(t), sizeof *program.gene), 0};
+    if (!xi || !eta || !lines_read(a->lines, f, out, &genes, t->last != NULL, tier_genes(t), &program)) {
         free(program.gene);
         program = (struct genes){NULL, 0};
     }
@@ -54,34 +54,29 @@ static struct genes program_of(const struct archive *a, const struct genome_file
     return program;
 }
 
-static struct genes read_program(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
-                                 const struct genome_expr *eta, size_t tier)
+static bool check_start(const struct archive *a, size_t tier, char *const start[2], struct diag *d)
 {
+    enum { ANY_LENGTH = 300000 };
     const struct tier *t = &a->scene->tier[tier];
-    return program_of(a, f, xi, eta, tier, t->last != NULL, tier_genes(t));
+    const struct gene_set genes = {.symbol = archive_symbols(a, tier), .symbols = t->terminals};
+    struct genes program = {new_array(ANY_LENGTH, sizeof *program.gene), 0};
+    const bool good = lines_read_values(a->lines, start, &genes, ANY_LENGTH, &program);
+    free(program.gene);
+    free(genes.symbol);
+    return good ||
+           diag_at(d, a->scene->path, t->line, 0, "tier '%s': start '%s', '%s' must be made of the tier's terminals",
+                   t->name, start[0], start[1]);
 }
 
 bool archive_check_starts(const struct archive *a, struct diag *d)
 {
-    enum { ANY_LENGTH = 300000 };
+    bool good = true;
     for (size_t i = 0; i < a->scene->tiers; i++) {
         const struct tier *t = &a->scene->tier[i];
-        for (size_t k = 0; k < t->starts && t->program && !t->starts_at_large; k++) {
-            int gene[2];
-            struct genome_expr value[2];
-            for (int h = 0; h < 2; h++) {
-                gene[h] = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->start[k][h]);
-                value[h] = (struct genome_expr){.length = 1, .gene = &gene[h]};
-            }
-            const struct genes start = program_of(a, a->program, &value[0], &value[1], i, false, ANY_LENGTH);
-            free(start.gene);
-            if (start.length == 0)
-                return diag_at(d, a->scene->path, t->line, 0,
-                               "tier '%s': start '%s', '%s' must be made of the tier's terminals", t->name,
-                               t->start[k][0], t->start[k][1]);
-        }
+        for (size_t k = 0; good && k < t->starts && t->program && !t->starts_at_large; k++)
+            good = check_start(a, i, t->start[k], d);
     }
-    return true;
+    return good;
 }
 
 static const struct genome_expr *output_of(const struct genome *g, int output)

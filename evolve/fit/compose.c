@@ -196,16 +196,8 @@ static void add_pairs(struct composer *s, struct candidates *list)
 /* Adds the frame's values p, q as a program of the terminals. */
 static void add_start(struct composer *s, char *const name[2], struct candidates *list)
 {
-    const struct genome_file *program = s->objective->program;
-    int gene[2];
-    struct genome_expr value[2] = {{.length = 1}, {.length = 1}};
-    for (int k = 0; k < 2; k++) {
-        gene[k] = GENE_SYMBOL + (int)genome_find_symbol(program, name[k]);
-        value[k].gene = &gene[k];
-    }
-    const struct genome_expr *const out[2] = {&value[0], &value[1]};
     struct genes t = {new_array(s->found->max_length, sizeof *t.gene), 0};
-    if (lines_read(s->lines, program, out, s->genes, false, s->found->max_length, &t)) {
+    if (lines_read_values(s->lines, name, s->genes, s->found->max_length, &t)) {
         lines_load(s->lines, &t, -1, LINES_INNER);
         add(s, list, 0);
     }

@@ -99,31 +99,37 @@ bool lines_read(struct lines *c, const struct genome_file *f, const struct genom
     return good && lines_store(c, max, t);
 }
 
+bool lines_read_values(struct lines *c, char *const name[2], const struct gene_set *genes, size_t max, struct genes *t)
+{
+    const struct genome_file *f = c->rules->program;
+    int gene[2];
+    struct genome_expr value[2] = {{.length = 1, .gene = &gene[0]}, {.length = 1, .gene = &gene[1]}};
+    for (int k = 0; k < 2; k++)
+        gene[k] = GENE_SYMBOL + (int)genome_find_symbol(f, name[k]);
+    return lines_read(c, f, (const struct genome_expr *const[]){&value[0], &value[1]}, genes, false, max, t);
+}
+
 bool lines_respell(struct lines *c, const struct genes *t, const struct gene_set *genes, size_t max, struct genes *to)
 {
     const struct genome_file *f = c->rules->program;
-    const size_t symbols = f->inputs + f->lets;
-    lines_load(c, t, -1, LINES_INNER);
-    const size_t n = c->lines;
-    const int root[2] = {c->root[0], c->root[1]};
-    struct line *from = new_array(n, sizeof *from);
-    memcpy(from, c->line, n * sizeof *from);
-    int *map = new_array(n, sizeof *map);
-    struct symbol_reader r = {c, f, genes, no_lines(symbols)};
+    struct lines *from = lines_new(c->rules);
+    lines_load(from, t, -1, LINES_INNER);
+    int *map = no_lines(from->lines);
+    struct symbol_reader r = {c, f, genes, no_lines(f->inputs + f->lets)};
     lines_begin(c);
     bool good = true;
-    for (size_t i = 0; i < n && good; i++) {
-        const struct line *x = &from[i];
+    for (size_t i = 0; i < from->lines && good; i++) {
+        const struct line *x = &from->line[i];
         map[i] = x->gene >= GENE_SYMBOL ? read_symbol(&r, (size_t)(x->gene - GENE_SYMBOL))
                  : x->gene < 0          ? lines_number(c, x->number)
                                         : lines_operation(c, x->gene, map[x->a], x->b >= 0 ? map[x->b] : -1);
         good = map[i] >= 0;
     }
     for (int k = 0; k < 2 && good; k++)
-        c->root[k] = map[root[k]];
+        c->root[k] = map[from->root[k]];
     free(r.line);
     free(map);
-    free(from);
+    lines_free(from);
     return good && lines_store(c, max, to);
 }
 

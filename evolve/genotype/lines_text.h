@@ -20,6 +20,10 @@
 bool lines_read(struct lines *c, const struct genome_file *f, const struct genome_expr *const out[2],
                 const struct gene_set *genes, bool called, size_t max, struct genes *t);
 
+/** Reads the program of two values of c's program, by name, from the symbols of the set.
+ *  @returns as lines_read() */
+bool lines_read_values(struct lines *c, char *const name[2], const struct gene_set *genes, size_t max, struct genes *t);
+
 /** Rewrites a program as if its text had been read: values introduced by functions that are not symbols of the set are
  *  replaced by their definitions.
  *  @returns false, with *to undefined, if the result has more than max genes */
