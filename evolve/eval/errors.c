@@ -210,11 +210,3 @@ void measurement_close(struct measurement *m, struct errors *found)
         found[i] = tally_close(&m->tally[i]);
     free(m->tally);
 }
-
-void errors_measure(const struct genome_file *program, const struct genes *t, const int *output, size_t trees,
-                    const struct sample_set *set, struct errors *found)
-{
-    struct measurement m = measurement_open(program, t, output, trees, set->n);
-    measurement_take(&m, set->s, set->n);
-    measurement_close(&m, found);
-}

@@ -63,8 +63,4 @@ void measurement_close(struct measurement *m, struct errors *found);
 void measurement_errors(const struct measurement *m, size_t first, size_t last, const struct sample *s, size_t n,
                         double **error);
 
-/** Measures expressions on a set of samples. */
-void errors_measure(const struct genome_file *program, const struct genes *t, const int *output, size_t trees,
-                    const struct sample_set *set, struct errors *found);
-
 #endif

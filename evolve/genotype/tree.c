@@ -13,15 +13,11 @@ enum {
 };
 static const double leaf_is_constant = 0.25, branch_ends = 0.4;
 
-static size_t below(gsl_rng *rng, size_t n)
-{
-    return gsl_rng_uniform_int(rng, n);
-}
-
 static int random_leaf(gsl_rng *rng, const struct gene_set *s)
 {
     const bool constant = s->constants > 0 && (s->symbols == 0 || gsl_rng_uniform(rng) < leaf_is_constant);
-    return constant ? s->constant[below(rng, s->constants)] : s->symbol[below(rng, s->symbols)];
+    return constant ? s->constant[gsl_rng_uniform_int(rng, s->constants)]
+                    : s->symbol[gsl_rng_uniform_int(rng, s->symbols)];
 }
 
 /* Writes a random tree to gene[]; returns its length. */
@@ -31,7 +27,7 @@ static size_t grow(gsl_rng *rng, const struct gene_set *s, int depth, bool full,
         gene[0] = random_leaf(rng, s);
         return 1;
     }
-    gene[0] = s->operation[below(rng, s->operations + s->functions)];
+    gene[0] = s->operation[gsl_rng_uniform_int(rng, s->operations + s->functions)];
     size_t n = 1;
     for (size_t operands = (size_t)gene_arity(gene[0]); operands-- > 0;) {
         const bool ends = !full && gsl_rng_uniform(rng) < branch_ends;
@@ -52,7 +48,7 @@ struct branch {
 
 static struct branch random_branch(gsl_rng *rng, const struct genes *t)
 {
-    const size_t at = below(rng, t->length);
+    const size_t at = gsl_rng_uniform_int(rng, t->length);
     return (struct branch){at, gene_span(t->gene + at, t->length - at)};
 }
 
@@ -99,12 +95,12 @@ static int other_constant(gsl_rng *rng, const struct gene_set *s, int gene)
         low = at > NEAR_CONSTANTS ? at - NEAR_CONSTANTS : 0;
         high = at + NEAR_CONSTANTS < high ? at + NEAR_CONSTANTS : high;
     }
-    return s->constant[low + below(rng, high - low + 1)];
+    return s->constant[low + gsl_rng_uniform_int(rng, high - low + 1)];
 }
 
 void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct genes *t)
 {
-    int *gene = &t->gene[below(rng, t->length)];
+    int *gene = &t->gene[gsl_rng_uniform_int(rng, t->length)];
     switch (gene_arity(*gene)) {
     case 0:
         if (*gene < 0 && s->constants > 0 && gsl_rng_uniform(rng) < 0.5)
@@ -113,11 +109,11 @@ void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct genes *t)
             *gene = random_leaf(rng, s);
         break;
     case 2:
-        *gene = s->operation[below(rng, s->operations)];
+        *gene = s->operation[gsl_rng_uniform_int(rng, s->operations)];
         break;
     default: /* a gene from a seed that has no alternatives stays */
         if (s->functions > 0)
-            *gene = s->operation[s->operations + below(rng, s->functions)];
+            *gene = s->operation[s->operations + gsl_rng_uniform_int(rng, s->functions)];
         break;
     }
 }
@@ -127,6 +123,6 @@ void tree_mutate_branch(gsl_rng *rng, const struct gene_set *s, const struct gen
     int fresh[2 << BRANCH_DEPTH];
     const struct branch out = random_branch(rng, t);
     const size_t kept = t->length - out.length, room = kept < max ? max - kept : 1;
-    const int depth = (int)below(rng, BRANCH_DEPTH + 1);
+    const int depth = (int)gsl_rng_uniform_int(rng, BRANCH_DEPTH + 1);
     splice(t, out, fresh, grow(rng, s, depth, false, room, fresh), child);
 }

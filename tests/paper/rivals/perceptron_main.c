@@ -154,7 +154,9 @@ static void add_errors(const struct study *s, struct genome *g, size_t weights, 
     genome_add_note(&g->note, &g->notes, &g->note_room, key, "%zu weights of the network", weights);
     for (int i = 0; i < 3; i++) {
         struct errors e;
-        errors_measure(s->program, &tree, &k, 1, part[i], &e);
+        struct measurement m = measurement_open(s->program, &tree, &k, 1, part[i]->n);
+        measurement_take(&m, part[i]->s, part[i]->n);
+        measurement_close(&m, &e);
         snprintf(key, sizeof key, "%s_%s", part_name[i], frame_output[k]);
         if (i == 0)
             genome_add_note(&g->note, &g->notes, &g->note_room, key, "mean %.4e", e.mean);

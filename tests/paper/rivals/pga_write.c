@@ -60,7 +60,9 @@ static void add_output(const struct pga_options *o, struct genome_file *program,
     NOTE(key, "genes %zu coefficients %s %.4e", f->genes.length, coefficients_name[o->coefficients], f->error);
     for (int part = 0; part < 2; part++) {
         struct errors e;
-        errors_measure(program, &bound, &k, 1, &heldout[part], &e);
+        struct measurement m = measurement_open(program, &bound, &k, 1, heldout[part].n);
+        measurement_take(&m, heldout[part].s, heldout[part].n);
+        measurement_close(&m, &e);
         snprintf(key, sizeof key, "%s_%s", part_name[part], frame_output[k]);
         NOTE(key, "n %zu mean %.4e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
     }
