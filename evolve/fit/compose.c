@@ -18,7 +18,6 @@ struct candidate {
     size_t length, parent;
     double cost, error;
     double promise; /* error over the front's error at the same cost: the least over itself and its continuations */
-    uint64_t hash;
 };
 
 struct candidates {
@@ -60,8 +59,7 @@ static bool measure(struct composer *s, struct candidate *x)
     x->cost = operations_price(&o, s->prices);
     if (front_place(s->found, x->cost) > s->found->limit)
         return false;
-    x->hash = o.hash;
-    if (!is_new(s, x->hash))
+    if (!is_new(s, o.hash))
         return false;
     x->error = objective_error(s->objective, &t, s->last, INFINITY);
     if (x->error < INFINITY)
@@ -131,28 +129,15 @@ static void look_ahead(const struct composer *s, struct candidates *list, const 
     }
 }
 
-static bool is_repeated(struct candidate *const *order, size_t n, uint64_t hash)
-{
-    for (size_t i = 0; i < n; i++)
-        if (order[i]->hash == hash)
-            return true;
-    return false;
-}
-
-/* Sets keep[i] if candidate i is among the most promising; equal values are kept once. */
+/* Sets keep[i] if candidate i is among the most promising. */
 static void choose(struct candidates *list, bool *keep)
 {
     struct candidate **order = new_array(list->n, sizeof *order);
-    size_t kept = 0;
     for (size_t i = 0; i < list->n; i++)
         order[i] = &list->c[i];
     qsort(order, list->n, sizeof *order, compare);
-    for (size_t i = 0; i < list->n && kept < WIDTH; i++) {
-        if (is_repeated(order, i, order[i]->hash))
-            continue;
+    for (size_t i = 0; i < list->n && i < WIDTH; i++)
         keep[order[i] - list->c] = true;
-        kept++;
-    }
     free(order);
 }
 
@@ -176,21 +161,18 @@ static void advance(struct composer *s, struct candidates *list)
     *list = next;
 }
 
-static void add_pair(struct composer *s, int xi, int eta, struct candidates *list)
-{
-    const struct genes t = {(int[2]){xi, eta}, 2};
-    lines_load(s->lines, &t, -1, LINES_INNER);
-    add(s, list, 0);
-}
-
 /* Adds each pair of different terminals, if a tier names no starts. With equal terminals both answers would be one
  * line, and every change would affect both. */
 static void add_pairs(struct composer *s, struct candidates *list)
 {
     for (size_t i = 0; i < s->genes->symbols; i++)
-        for (size_t k = 0; k < s->genes->symbols; k++)
-            if (i != k || s->genes->symbols == 1)
-                add_pair(s, s->genes->symbol[i], s->genes->symbol[k], list);
+        for (size_t k = 0; k < s->genes->symbols; k++) {
+            const struct genes t = {(int[2]){s->genes->symbol[i], s->genes->symbol[k]}, 2};
+            if (i == k && s->genes->symbols > 1)
+                continue;
+            lines_load(s->lines, &t, -1, LINES_INNER);
+            add(s, list, 0);
+        }
 }
 
 /* Adds the frame's values p, q as a program of the terminals. */
