@@ -238,19 +238,14 @@ static void write_measured(struct writer *w, int gene)
     free(text);
 }
 
-static const char *argument_name(const char *name, int k, char word[WORD])
+/* Returns <name>_u and <name>_v for the arguments, then <name>_xi, <name>_eta, <name>_r1, ... for the results. */
+static const char *part_name(const char *name, size_t k, char word[WORD])
 {
-    snprintf(word, WORD, "%.50s_%s", name, k ? "v" : "u");
-    return word;
-}
-
-/* Returns <name>_xi, <name>_eta, <name>_r1, ... */
-static const char *result_name(const char *name, size_t k, char word[WORD])
-{
-    if (k < 2)
-        snprintf(word, WORD, "%.50s_%s", name, k ? "eta" : "xi");
+    static const char *const part[] = {"u", "v", "xi", "eta"};
+    if (k < 4)
+        snprintf(word, WORD, "%.50s_%s", name, part[k]);
     else
-        snprintf(word, WORD, "%.50s_r%zu", name, k - 1);
+        snprintf(word, WORD, "%.50s_r%zu", name, k - 3);
     return word;
 }
 
@@ -263,10 +258,8 @@ static const char *call_name(const struct writer *w, const struct genome_functio
         char word[WORD];
         snprintf(own, WORD, number > 1 ? "%.40s_%d" : "%.40s", name, number);
         good = true;
-        for (size_t k = 0; k < function->results; k++)
-            good = good && is_free(w->file, result_name(own, k, word));
-        for (int k = 0; k < 2; k++)
-            good = good && is_free(w->file, argument_name(own, k, word));
+        for (size_t k = 0; k < 2 + function->results; k++)
+            good = good && is_free(w->file, part_name(own, k, word));
     }
     return own;
 }
@@ -279,20 +272,20 @@ static void write_call(struct writer *w, const struct genome_function *function,
     const char *name = call_name(w, function, tier, own);
     struct diag d;
     struct memory *m = memory_open();
-    for (int k = 0; k < 2; k++) {
+    for (size_t k = 0; k < 2; k++) {
         w->genes = 0;
         write_line(w, w->code->root[k]);
-        genome_add_let(w->file, argument_name(name, k, word), w->gene, w->genes);
+        genome_add_let(w->file, part_name(name, k, word), w->gene, w->genes);
     }
     fprintf(m->stream, "let");
     for (size_t k = 0; k < function->results; k++)
-        fprintf(m->stream, " %s", result_name(name, k, word));
+        fprintf(m->stream, " %s", part_name(name, 2 + k, word));
     fprintf(m->stream, " = %s %.50s_u %.50s_v", function->name, name, name);
     char *text = memory_close(m);
     genome_read_statement(w->file, text, &d); /* cannot fail: the names are new and the function exists */
     free(text);
     for (size_t k = 0; k < function->results; k++) {
-        const int gene = GENE_SYMBOL + (int)genome_find_symbol(w->file, result_name(name, k, word));
+        const int gene = GENE_SYMBOL + (int)genome_find_symbol(w->file, part_name(name, 2 + k, word));
         if (k < 2)
             out[k] = gene;
         else
