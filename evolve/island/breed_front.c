@@ -4,7 +4,7 @@
  * pressure, and growth must pay. Equal errors and equal structures are kept once, and the number of individuals of
  * equal cost is limited. A child is rejected before all samples are evaluated once its ratio is certain to exceed the
  * worst parent's. */
-#include "breed.h"
+#include "population.h"
 
 #include "../../codegen/base/random.h"
 
@@ -114,19 +114,13 @@ static void fill_at_random(struct island *is, size_t first)
 }
 
 /* Starts with two numbers, to which insertions can add terms. Without seeds, evolution starts from this program. */
-static void begin_with_numbers(struct island *is)
-{
-    struct individual *x = &is->now[0];
-    population_numbers(&x->genes);
-    population_count(is, x);
-    evaluate(is, x);
-}
-
 void breed_front_start(struct island *is, const struct genes *seed, size_t n)
 {
     size_t living = 1;
     fix_reference(is);
-    begin_with_numbers(is);
+    population_numbers(&is->now[0].genes);
+    population_count(is, &is->now[0]);
+    evaluate(is, &is->now[0]);
     for (size_t i = 0; i < n; i++) { /* if the front has more members than the population, the rest are parents through
                                       * the front */
         struct individual *x = &is->now[living];

@@ -2,7 +2,7 @@
  * by roulette with fitness 1/error (the paper) or by tournament, then crossed or mutated. A child that repeats a genome
  * seen lately is mutated once more. Evaluation of a child stops once its error is certain to exceed a multiple of the
  * parents' median, at the same block on every machine. */
-#include "breed.h"
+#include "population.h"
 
 #include "../genotype/tree.h"
 

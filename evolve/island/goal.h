@@ -3,7 +3,7 @@
 #define FOOTPOINT_GOAL_H
 
 #include "../eval/objective.h"
-#include "../fit/fitting.h"
+#include "../fit/fits.h"
 #include "plan.h"
 
 /** The goal of an island. */

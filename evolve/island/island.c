@@ -3,7 +3,7 @@
 #include "island.h"
 
 #include "../common/stream.h"
-#include "breed.h"
+#include "population.h"
 
 #include <math.h>
 #include <stdlib.h>

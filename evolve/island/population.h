@@ -67,4 +67,13 @@ static inline size_t population_parcel(const struct island *is)
     return 1 + is->goal.max_length;
 }
 
+/* The two ways of breeding: how a population starts, makes a generation, and accepts n migrants from a parcel. */
+void breed_paper_start(struct island *is, const struct genes *seed, size_t n);
+void breed_paper_step(struct island *is);
+void breed_paper_receive(struct island *is, size_t n, int *parcel);
+
+void breed_front_start(struct island *is, const struct genes *seed, size_t n);
+void breed_front_step(struct island *is);
+void breed_front_receive(struct island *is, size_t n, int *parcel);
+
 #endif
