@@ -171,7 +171,7 @@ struct measurement measurement_open(const struct genome_file *program, const str
 void measurement_errors(const struct measurement *m, size_t first, size_t last, const struct sample *s, size_t n,
                         double **error)
 {
-    struct columns table = (m->single ? frame_columns_single : frame_columns)(m->program, s, n);
+    struct columns table = frame_columns_in(m->program, s, n, m->single);
     for (size_t i = first; i < last; i++) {
         table_values(&table, m->program->constant, m->t[i].gene, m->t[i].length, error[i - first]);
         errors_absolute(error[i - first], columns_at(&table, frame_target(m->program, m->output[i])), n);

@@ -232,7 +232,7 @@ size_t frame_target(const struct genome_file *program, int output)
     return program->inputs + program->lets + (size_t)output;
 }
 
-static struct columns columns_of(const struct genome_file *program, const struct sample *s, size_t n, bool single)
+struct columns frame_columns_in(const struct genome_file *program, const struct sample *s, size_t n, bool single)
 {
     struct columns c = columns_new(n, frame_target(program, 2));
     c.single = single;
@@ -252,10 +252,5 @@ static struct columns columns_of(const struct genome_file *program, const struct
 
 struct columns frame_columns(const struct genome_file *program, const struct sample *s, size_t n)
 {
-    return columns_of(program, s, n, false);
-}
-
-struct columns frame_columns_single(const struct genome_file *program, const struct sample *s, size_t n)
-{
-    return columns_of(program, s, n, true);
+    return frame_columns_in(program, s, n, false);
 }

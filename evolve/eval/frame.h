@@ -22,8 +22,8 @@ bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, s
 
 /** Computes the columns of n samples: every symbol of the program, then the true xi and eta. */
 struct columns frame_columns(const struct genome_file *program, const struct sample *s, size_t n);
-/** Computes the same columns in float. The samples' coordinates must be floats. */
-struct columns frame_columns_single(const struct genome_file *program, const struct sample *s, size_t n);
+/** Computes the same columns, in float if `single` is set; then the samples' coordinates must be floats. */
+struct columns frame_columns_in(const struct genome_file *program, const struct sample *s, size_t n, bool single);
 /** Returns the column of the true xi (output 0) or eta (output 1), or for output 2 the first column after them. */
 size_t frame_target(const struct genome_file *program, int output);
 

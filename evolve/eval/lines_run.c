@@ -150,11 +150,6 @@ WIDE static void run_block(struct lines_run *r, size_t row)
     }
 }
 
-static size_t rows_from(const struct lines_run *r, size_t row)
-{
-    return r->table->n - row < TAPE_BLOCK ? r->table->n - row : TAPE_BLOCK;
-}
-
 /* Computes the absolute errors of a block, and adds them to the lanes. */
 WIDE static void take_errors(const double *value, const double *goal, size_t n, double *error, double lane[WIDE_LANES])
 {
@@ -194,7 +189,7 @@ double lines_errors(struct lines_run *r, const struct genes *t, int last, double
     memset(r->above, 0, r->code->lines * sizeof *r->above);
     memset(r->below, 0, r->code->lines * sizeof *r->below);
     for (size_t row = 0; row < all; row += TAPE_BLOCK) {
-        const size_t n = rows_from(r, row);
+        const size_t n = lines_rows(r, row);
         run_block(r, row);
         r->work += (double)r->code->lines * (double)n;
         for (size_t half = 0; half < 2; half++)
@@ -226,7 +221,7 @@ void lines_tree_values(struct lines_run *r, const int *gene, size_t length, cons
     take_tree(r, gene, length, constant);
     for (size_t row = 0; row < r->table->n; row += TAPE_BLOCK) {
         run_block(r, row);
-        memcpy(value + row, r->value[r->code->root[0]], rows_from(r, row) * sizeof *value);
+        memcpy(value + row, r->value[r->code->root[0]], lines_rows(r, row) * sizeof *value);
     }
     r->work += (double)length * (double)r->table->n;
 }
@@ -266,8 +261,8 @@ double lines_tree_error(struct lines_run *r, const int *gene, size_t length, con
         double lane[TREE_LANES] = {0};
         for (size_t end = row + SUM_BLOCK; row < end && row < r->table->n; row += TAPE_BLOCK) {
             run_block(r, row);
-            add_errors(r->value[r->code->root[0]], goal + row, rows_from(r, row), lane);
-            r->work += (double)length * (double)rows_from(r, row);
+            add_errors(r->value[r->code->root[0]], goal + row, lines_rows(r, row), lane);
+            r->work += (double)length * (double)lines_rows(r, row);
         }
         sum += sum_of_lanes(lane);
         if (!(sum <= bound))

@@ -50,6 +50,11 @@ void table_values(const struct columns *table, const struct genome_constant *con
  *  @param[in] by  line by which to differentiate, numbered as by lines_load(); -1: the program's numbers, which become
  *                 line[number[i]].number */
 void lines_run_load(struct lines_run *r, const struct genes *t, int last, int by);
+/** Returns the number of rows of the block that starts at `row`. */
+static inline size_t lines_rows(const struct lines_run *r, size_t row)
+{
+    return r->table->n - row < TAPE_BLOCK ? r->table->n - row : TAPE_BLOCK;
+}
 /** Computes the values of all lines, in value[], for TAPE_BLOCK samples from `row` on. */
 void lines_values(struct lines_run *r, size_t row);
 /** Computes slope[i] = d root / d line i on the current samples, for all lines between the lines differentiated by and

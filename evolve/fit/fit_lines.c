@@ -66,11 +66,6 @@ static bool set_numbers(const struct task *t, const gsl_vector *x)
     return good;
 }
 
-static size_t block_size(const struct lines_run *r, size_t row)
-{
-    return r->table->n - row < TAPE_BLOCK ? r->table->n - row : TAPE_BLOCK;
-}
-
 static double error_at(const struct lines_run *r, size_t row, size_t k, size_t half)
 {
     return r->value[r->code->root[half]][k] - columns_at(r->table, r->table->count - 2 + half)[row + k];
@@ -79,7 +74,7 @@ static double error_at(const struct lines_run *r, size_t row, size_t k, size_t h
 /* Computes residuals and their derivatives for a block of samples and an answer. */
 static void residuals_at(const struct task *t, size_t row, size_t half, double *residual, double *slope)
 {
-    const size_t n = block_size(t->run, row);
+    const size_t n = lines_rows(t->run, row);
     double error[TAPE_BLOCK];
     for (size_t k = 0; k < n; k++)
         error[k] = error_at(t->run, row, k, half);
@@ -121,7 +116,7 @@ static int derivatives(const gsl_vector *x, void *context, gsl_matrix *J)
             residuals_at(t, row, half, residual, slope);
             for (size_t i = 0; i < r->code->numbers; i++) {
                 const double *by = r->slope[r->code->number[i]];
-                for (size_t k = 0; k < block_size(r, row); k++) {
+                for (size_t k = 0; k < lines_rows(r, row); k++) {
                     const double d = by ? slope[k] * by[k] : 0;
                     to[k * J->tda + i] = fabs(d) < INFINITY ? d : 0;
                 }
@@ -139,7 +134,7 @@ static double measure(struct lines_run *r, double *error)
     for (size_t row = 0; row < n; row += TAPE_BLOCK) {
         lines_values(r, row);
         for (size_t half = 0; half < 2; half++)
-            for (size_t k = 0; k < block_size(r, row); k++)
+            for (size_t k = 0; k < lines_rows(r, row); k++)
                 sum += error[half * n + row + k] = fabs(error_at(r, row, k, half));
     }
     return sum / (double)(2 * n);

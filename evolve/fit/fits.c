@@ -22,18 +22,12 @@ static bool fit(struct fits *f, const struct genes *in, int last, bool thoroughl
     return lines_fit(f->lines, in, last, f->objective->norm, thoroughly ? MANY : FEW, out);
 }
 
-static bool changed(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
-                    const struct genes *mate, int last, size_t max_length, struct genes *child)
-{
-    return gsl_rng_uniform(rng) < guided_insertions ? guide_insert(f->guide, rng, genes, t, last, max_length, child)
-                                                    : lines_edit(f->editor, rng, genes, t, mate, max_length, child);
-}
-
 /* Changes a program. Rejects results that depend on the unit of length. */
 static bool change(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct genes *t,
                    const struct genes *mate, int last, size_t max_length, struct genes *child)
 {
-    if (!changed(f, rng, genes, t, mate, last, max_length, child))
+    if (!(gsl_rng_uniform(rng) < guided_insertions ? guide_insert(f->guide, rng, genes, t, last, max_length, child)
+                                                   : lines_edit(f->editor, rng, genes, t, mate, max_length, child)))
         return false;
     lines_load(f->lines->code, child, -1, LINES_INNER);
     return lines_keep_powers(f->lines->code);

@@ -19,6 +19,7 @@ struct guide {
     const struct columns *table; /* not owned */
     struct lines_run *run;       /* owned, as are the following */
     struct line_editor *editor;
+    struct arena arena; /* of the following arrays */
     double *value;      /* indexed by pool entry, ROWS each */
     signed char *power; /* indexed by pool entry */
     bool *depends;
@@ -41,20 +42,13 @@ struct guide *guide_new(const struct line_rules *r, const struct columns *table)
     return g;
 }
 
-static void free_tables(struct guide *g)
-{
-    free(g->value);
-    free(g->power);
-    free(g->depends);
-}
-
 void guide_free(struct guide *g)
 {
     if (!g)
         return;
     lines_run_free(g->run);
     line_editor_free(g->editor);
-    free_tables(g);
+    arena_free(&g->arena);
     free(g);
 }
 
@@ -62,11 +56,11 @@ static void reserve(struct guide *g, size_t pool)
 {
     if (pool <= g->room)
         return;
-    free_tables(g);
+    arena_free(&g->arena);
     g->room = 2 * pool;
-    g->value = new_array(g->room * ROWS, sizeof(double));
-    g->power = new_array(g->room, sizeof *g->power);
-    g->depends = new_array(g->room, sizeof *g->depends);
+    g->value = arena_array(&g->arena, g->room * ROWS, sizeof(double));
+    g->power = arena_array(&g->arena, g->room, sizeof *g->power);
+    g->depends = arena_array(&g->arena, g->room, sizeof *g->depends);
 }
 
 /* Stores the residuals of a block and the slopes by line n. */

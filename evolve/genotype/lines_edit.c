@@ -128,18 +128,13 @@ static bool find_image(const struct line_editor *e, const struct line_edit *edit
            (edit->y < 0 || image->y >= 0);
 }
 
-static void set_value(struct line_editor *e, const struct line_edit *edit)
-{
-    e->map[edit->line] = value_of(e, edit);
-}
-
 static bool apply(struct line_editor *e, const struct genes *t, const struct line_edit *edit, bool both, size_t max,
                   struct genes *child)
 {
     struct line_edit image;
-    set_value(e, edit);
+    e->map[edit->line] = value_of(e, edit);
     if (both && find_image(e, edit, &image))
-        set_value(e, &image);
+        e->map[image.line] = value_of(e, &image);
     return store(e, t, max, child);
 }
 
