@@ -56,15 +56,6 @@ static void put_record(const struct island *is, unsigned char **to, const struct
     *to += is->goal.max_length * sizeof *gene;
 }
 
-static void put_front(const struct island *is, unsigned char **to, const struct front *f)
-{
-    for (size_t c = 0; c <= f->limit; c++) {
-        const struct member *m = &f->member[c];
-        const struct record empty = {0}, r = {m->genes.length, 0, m->error, m->cost, m->polished};
-        put_record(is, to, m->genes.length > 0 ? &r : &empty, m->genes.gene);
-    }
-}
-
 void island_save(const struct island *is, unsigned char *to)
 {
     const struct facts f = {is->generation, is->evaluations, is->bound};
@@ -74,7 +65,10 @@ void island_save(const struct island *is, unsigned char *to)
         const struct record r = {x->genes.length, x->fitness, x->error, x->cost, x->hash};
         put_record(is, &to, &r, x->genes.gene);
     }
-    put_front(is, &to, is->front);
+    for (const struct member *m = is->front->member; m <= is->front->member + is->front->limit; m++) {
+        const struct record empty = {0}, r = {m->genes.length, 0, m->error, m->cost, m->polished};
+        put_record(is, &to, m->genes.length > 0 ? &r : &empty, m->genes.gene);
+    }
     put(&to, is->cache, sizeof *is->cache << CACHE_BITS);
 }
 
