@@ -1,6 +1,5 @@
 /* Messages in transit; see mail.h. A rank's messages to itself are sent like all others. */
 #include "mail.h"
-#include "mpi_check.h"
 
 #include <stdlib.h>
 

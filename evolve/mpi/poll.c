@@ -1,7 +1,6 @@
 /* Polls by nonblocking reductions; see poll.h. A rank joins a poll after each generation and reads the result some
  * generations later. A slow rank delays the others only after that many generations. */
 #include "poll.h"
-#include "mpi_check.h"
 
 #include <stdlib.h>
 #include <string.h>

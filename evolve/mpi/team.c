@@ -1,6 +1,5 @@
 /* Agreement of the ranks before and after a run; see team.h. */
 #include "team.h"
-#include "mpi_check.h"
 
 #include <limits.h>
 #include <stdint.h>
@@ -54,27 +53,6 @@ char *team_tell(const struct team *t, const char *text, size_t bytes)
         memcpy(copy, text, bytes);
     CHECK(MPI_Bcast(copy, (int)size, MPI_BYTE, 0, t->comm));
     return copy;
-}
-
-int *team_pass(const struct team *t, int from, const int *number, size_t *n)
-{
-    unsigned long long count = *n;
-    CHECK(MPI_Bcast(&count, 1, MPI_UNSIGNED_LONG_LONG, from, t->comm));
-    int *copy = new_array((size_t)count, sizeof *copy);
-    if (t->rank == from && count > 0)
-        memcpy(copy, number, (size_t)count * sizeof *copy);
-    CHECK(MPI_Bcast(copy, (int)count, MPI_INT, from, t->comm));
-    *n = (size_t)count;
-    return copy;
-}
-
-void team_collect(const struct team *t, double *number, size_t n)
-{
-    double *own = new_array(n, sizeof *own);
-    for (size_t i = (size_t)t->rank; i < n; i += (size_t)t->size)
-        own[i] = number[i];
-    CHECK(MPI_Reduce(own, number, (int)n, MPI_DOUBLE, MPI_SUM, 0, t->comm));
-    free(own);
 }
 
 void team_sum(const struct team *t, size_t *number, size_t n)

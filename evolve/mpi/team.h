@@ -7,6 +7,10 @@
 
 #include <mpi.h>
 
+/** Ends the job on a network failure, because ranks cannot agree on anything then. */
+void mpi_check(int code, const char *call);
+#define CHECK(call) mpi_check((call), #call)
+
 /** The processes of a run. */
 struct team {
     MPI_Comm comm; /* owned: a duplicate */
@@ -23,14 +27,6 @@ void team_free(struct team *t);
 bool team_agree(const struct team *t, bool good, struct diag *d);
 /** Returns a NUL-terminated copy of rank 0's text, owned by the caller; NULL stays NULL. Collective. */
 char *team_tell(const struct team *t, const char *text, size_t bytes);
-
-/** Returns a copy of rank `from`'s n numbers on all ranks, owned by the caller. *n and number matter on that rank only.
- *  Collective. */
-int *team_pass(const struct team *t, int from, const int *number, size_t *n);
-
-/** Collects in rank 0's array each number[i], i < n, from rank i mod size. Other ranks' arrays do not change. No number
- *  may be -0. Collective. */
-void team_collect(const struct team *t, double *number, size_t n);
 
 /** Replaces each of n numbers by its sum over the ranks, on all ranks. Collective. */
 void team_sum(const struct team *t, size_t *number, size_t n);

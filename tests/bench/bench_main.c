@@ -84,7 +84,7 @@ static bool bench_scene(const struct bench_options *o, const struct bench_table 
     struct sample_set training = {0};
     if (!scene)
         return false;
-    scene_hold_out_less(scene);
+    scene->heldout = scene->heldout < 200000 ? scene->heldout : 200000; /* they are stored */
     if (o->contact) {
         const bool decided = contact_table(scene, d);
         scene_free(scene);

@@ -88,6 +88,8 @@ static enum options_outcome read_options(int argc, char **argv, struct perceptro
 /* The eight inputs of section 3.1, values of the similarity frame. */
 static char *input_name[PERCEPTRON_INPUTS] = {"xc", "yc", "zc", "xd", "yd", "xs", "ys", "zs"};
 
+enum { HELDOUT_STORED = 200000 }; /* samples of a part at most */
+
 struct study {
     const struct perceptron_options *options;
     struct scene *scene;
@@ -122,7 +124,8 @@ static bool load(struct study *s, struct diag *d)
     const struct perceptron_options *o = s->options;
     if (!(s->scene = scene_read(o->root, o->scene, d)))
         return false;
-    scene_hold_out_less(s->scene);
+    if (s->scene->heldout > HELDOUT_STORED)
+        s->scene->heldout = HELDOUT_STORED;
     if (!files_suit(s, d) || !(s->program = similarity_program(s, d)) ||
         !scene_samples(s->scene, PART_TRAINING, &s->training, d) ||
         !scene_samples(s->scene, PART_HELDOUT, &s->heldout[0], d) ||
@@ -199,7 +202,10 @@ static bool write_all(const struct study *s, struct diag *d)
     for (size_t i = 0; i < s->program->genomes; i++)
         for (int k = 0; k < 2; k++)
             add_errors(s, &s->program->genome[i], perceptron_weights(&s->options->network[i]), k);
-    scene_region_add(s->program, s->heldout, 2);
+    struct region_survey *region = region_survey_new(s->program);
+    for (int k = 0; k < 2; k++)
+        region_survey_take(region, s->heldout[k].s, s->heldout[k].n);
+    region_survey_add(region);
     genome_print_needed(s->program, f.stream);
     return outfile_commit(&f, d);
 }

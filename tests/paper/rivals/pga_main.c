@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { HELDOUT_STORED = 200000 }; /* samples of a part at most */
+
 struct pga {
     const struct pga_options *options;
     const struct team *team;
@@ -54,7 +56,8 @@ static bool load(struct pga *s, struct diag *d)
         !(s->program = frame_program(o->root, s->scene, o->output, d)) ||
         !scene_samples(s->scene, PART_TRAINING, &training, d))
         return false;
-    scene_hold_out_less(s->scene);
+    if (s->scene->heldout > HELDOUT_STORED)
+        s->scene->heldout = HELDOUT_STORED;
     s->table = frame_columns(s->program, training.s, training.n);
     sample_set_free(&training);
     s->objective = objective_new(s->program, &s->table, o->coefficients == COEFFICIENTS_WORST ? NORM_MAX : NORM_MEAN);
@@ -69,6 +72,31 @@ struct share {
     const struct team *team;
     const struct polynomials *polynomials;
 };
+
+/* Returns a copy of rank `from`'s n numbers on all ranks, owned by the caller. *n and number matter on that rank only.
+ * Collective. */
+static int *team_pass(const struct team *t, int from, const int *number, size_t *n)
+{
+    unsigned long long count = *n;
+    CHECK(MPI_Bcast(&count, 1, MPI_UNSIGNED_LONG_LONG, from, t->comm));
+    int *copy = new_array((size_t)count, sizeof *copy);
+    if (t->rank == from && count > 0)
+        memcpy(copy, number, (size_t)count * sizeof *copy);
+    CHECK(MPI_Bcast(copy, (int)count, MPI_INT, from, t->comm));
+    *n = (size_t)count;
+    return copy;
+}
+
+/* Collects in rank 0's array each number[i], i < n, from rank i mod size. Other ranks' arrays do not change. No number may
+ * be -0. Collective. */
+static void team_collect(const struct team *t, double *number, size_t n)
+{
+    double *own = new_array(n, sizeof *own);
+    for (size_t i = (size_t)t->rank; i < n; i += (size_t)t->size)
+        own[i] = number[i];
+    CHECK(MPI_Reduce(own, number, (int)n, MPI_DOUBLE, MPI_SUM, 0, t->comm));
+    free(own);
+}
 
 /* Evaluates this rank's part of n choices: each size-th. */
 static void evaluate_share(const struct share *w, const gene_bit *chosen, size_t n, double *error)

@@ -89,7 +89,10 @@ bool pga_write(const struct pga_options *o, const struct scene *scene, struct ge
         for (int k = 0; k < 2; k++)
             add_output(o, program, g, k, &find[i][k], heldout);
     }
-    scene_region_add(program, heldout, 2);
+    struct region_survey *region = region_survey_new(program);
+    for (int k = 0; k < 2; k++)
+        region_survey_take(region, heldout[k].s, heldout[k].n);
+    region_survey_add(region);
     genome_print_needed(program, f.stream);
     return outfile_commit(&f, d);
 }
