@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_RUN_SAMPLES_H
 #define FOOTPOINT_RUN_SAMPLES_H
 
-#include "../samples/sampler.h"
+#include "../samples/samples.h"
 #include "../samples/variation.h"
 #include "run_parts.h"
 

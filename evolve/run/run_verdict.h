@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_RUN_VERDICT_H
 #define FOOTPOINT_RUN_VERDICT_H
 
-#include "../samples/sampler.h"
+#include "../samples/samples.h"
 #include "run_parts.h"
 
 /** Returns the functions of the scene's kind of face.  Returns NULL if the kind has no genomes, or they are the scene's own. */

@@ -11,7 +11,7 @@
 #include "../common/stream.h"
 #include "../common/vec3.h"
 #include "../surface/foot_bilinear.h"
-#include "source.h"
+#include "samples.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -243,9 +243,9 @@ static void add_strangers(const struct sample *s, size_t n, const struct sample 
     free(image);
 }
 
-size_t lattice_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+size_t lattice_drawn(const struct sampler *p, char line[DRAWN_LINES][DRAWN_LENGTH])
 {
-    const struct lattice *l = &scene->lattice;
+    const struct lattice *l = &p->scene->lattice;
     snprintf(line[0], DRAWN_LENGTH,
              "heldout: configurations of a grid of steps %g in x, y and %g in z that training left, equally often",
              l->xy.step, l->z.step);

@@ -8,12 +8,12 @@
  * face.
  *
  * Slave nodes are sorted by x, and a face visits only those in its range of x. Nodes of the face and of elements around
- * it are excluded (mesh_neighbours.h). */
+ * it are excluded: they belong to the slave surface, too, but never come into contact with the face; their gap is 0, or
+ * depends only on the mesh. */
 #include "../common/stream.h"
 #include "../input/mesh.h"
 #include "../surface/surface.h"
-#include "mesh_neighbours.h"
-#include "source.h"
+#include "samples.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -35,6 +35,58 @@ struct slave {
     double x;
     int node;
 };
+
+/* ---- neighbours ---- */
+
+/* The neighbours of one face at a time: nodes of the elements under contact surfaces that share a node with the face. They
+ * include the face's own nodes and nodes on the opposite side of an element. */
+struct neighbours {
+    const struct mesh *mesh; /* not owned */
+    size_t *first;           /* owned; nodes + 1: index in `element` of the node's first element */
+    size_t *element;         /* owned; indices into mesh->element */
+    size_t *last;            /* owned, indexed by node: number of the last face whose neighbour it was, from 1, or 0 */
+    size_t face;             /* number of the current face */
+};
+
+static struct neighbours *neighbours_new(const struct mesh *mesh)
+{
+    struct neighbours *n = new_array(1, sizeof *n);
+    *n = (struct neighbours){.mesh = mesh,
+                             .first = new_array(mesh->nodes + 1, sizeof *n->first),
+                             .last = new_array(mesh->nodes, sizeof *n->last)};
+    for (size_t e = 0; e < mesh->elements; e++)
+        for (int i = 0; i < mesh->element[e].nodes; i++)
+            n->first[mesh->element[e].node[i]]++;
+    for (size_t node = 0; node < mesh->nodes; node++)
+        n->first[node + 1] += n->first[node];
+    n->element = new_array(n->first[mesh->nodes], sizeof *n->element);
+    for (size_t e = mesh->elements; e-- > 0;) /* turns ends into beginnings */
+        for (int i = 0; i < mesh->element[e].nodes; i++)
+            n->element[--n->first[mesh->element[e].node[i]]] = e;
+    return n;
+}
+
+static void neighbours_free(struct neighbours *n)
+{
+    free(n->first);
+    free(n->element);
+    free(n->last);
+    free(n);
+}
+
+/* Finds the neighbours of `face`. */
+static void neighbours_of(struct neighbours *n, const struct mesh_face *face)
+{
+    n->face++;
+    for (int i = 0; i < face->nodes; i++)
+        for (size_t k = n->first[face->node[i]]; k < n->first[face->node[i] + 1]; k++) {
+            const struct mesh_element *e = &n->mesh->element[n->element[k]];
+            for (int j = 0; j < e->nodes; j++)
+                n->last[e->node[j]] = n->face;
+        }
+}
+
+/* ---- real pairs ---- */
 
 static int by_x(const void *a, const void *b)
 {
@@ -104,7 +156,7 @@ static void search(const struct scene *scene, const struct mesh *mesh, const str
              i++) {
             pair.slave = slave[i].node;
             memcpy(pair.s.xs, mesh->xyz[pair.slave], sizeof pair.s.xs);
-            if (neighbours_has(around, pair.slave) || !surface->foot(surface, &pair.s, lo, hi, NULL) ||
+            if (around->last[pair.slave] == around->face || !surface->foot(surface, &pair.s, lo, hi, NULL) ||
                 !(fabs(pair.s.gap) < distance))
                 continue;
             APPEND(found->pair, found->n, found->room) = pair;
@@ -174,12 +226,13 @@ static void add_half(const struct scene *scene, const struct pairs *found, bool 
     }
 }
 
-size_t mesh_drawn(const struct scene *scene, size_t real, char line[DRAWN_LINES][DRAWN_LENGTH])
+size_t mesh_drawn(const struct sampler *p, char line[DRAWN_LINES][DRAWN_LENGTH])
 {
+    const size_t real = p->listed.real;
     snprintf(line[0], DRAWN_LENGTH,
              "heldout: over master faces at random, xi and eta uniform, |gap| from 1e-4 of the face's shortest edge to "
              "%g, its logarithm uniform",
-             scene->mesh.distance);
+             p->scene->mesh.distance);
     snprintf(line[1], DRAWN_LENGTH, "heldout: of these, %zu are nodes of the mesh%s; training has as many others", real,
              real < MESH_FEW ? ", too few to go by" : "");
     return 2;

@@ -1,9 +1,160 @@
-/* Gregory and Bezier patches as segments: the vectors of a sample are corners and node normals. */
+/* Samples on Gregory and Bezier patches; see patch_samples.h. The vectors of a sample are corners and node normals. */
+#include "patch_samples.h"
+
+#include "../common/stream.h"
+#include "../common/vec3.h"
 #include "../surface/foot_patch.h"
-#include "../surface/surface.h"
-#include "body_samples.h"
-#include "lattice_normals.h"
-#include "source.h"
+#include "bodies.h"
+#include "samples.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_randist.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- random node normals on the paper's configurations ---- */
+
+static void normalise(double v[3])
+{
+    const double length = vector_length(v);
+    for (int k = 0; k < 3; k++)
+        v[k] /= length;
+}
+
+/* Computes the facet's unit normal at corner c, and two unit vectors that complete the basis. */
+static void corner_basis(double x[4][3], int c, double n[3], double e1[3], double e2[3])
+{
+    double next[3], last[3];
+    for (int k = 0; k < 3; k++) {
+        next[k] = x[(c + 1) % 4][k] - x[c][k];
+        last[k] = x[(c + 3) % 4][k] - x[c][k];
+    }
+    vector_cross(next, last, n);
+    normalise(n);
+    memcpy(e1, next, 3 * sizeof *e1);
+    normalise(e1);
+    vector_cross(n, e1, e2);
+}
+
+/* Draws the node normals of a configuration; `tangent` is that of their largest tilt. */
+static void draw_normals(gsl_rng *stream, double tangent, struct sample *s)
+{
+    for (int c = 0; c < 4; c++) {
+        double n[3], e1[3], e2[3], *normal = s->x[PATCH_NORMALS + c];
+        const double tilt = tangent * sqrt(gsl_rng_uniform(stream)), turn = 2 * M_PI * gsl_rng_uniform(stream);
+        corner_basis(s->x, c, n, e1, e2);
+        for (int k = 0; k < 3; k++)
+            normal[k] = n[k] + tilt * (cos(turn) * e1[k] + sin(turn) * e2[k]);
+        normalise(normal);
+    }
+}
+
+bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part part, struct sample_set *set,
+                             struct lattice_gregory_count *count, struct diag *d)
+{
+    struct sample_set facets = {0};
+    double lo[2], hi[2];
+    if (!lattice_grid(l->scene, part, &facets, d)) {
+        sample_set_free(&facets);
+        return false;
+    }
+    gsl_rng *stream = stream_new();
+    const size_t configurations = l->configurations ? GSL_MIN(l->configurations, facets.n) : facets.n;
+    const size_t sets = (size_t)l->normal_sets, before = set->n;
+    scene_box(l->scene, lo, hi);
+    for (size_t i = 0; i < configurations; i++)
+        for (size_t k = 0; k < sets; k++) {
+            struct sample s = facets.s[i];
+            stream_key(stream, l->scene->seed, (uint64_t)part, i, 1 + k);
+            draw_normals(stream, l->tangent, &s);
+            if (foot_patch(l->kind, &s, lo, hi, (double[]){s.xi, s.eta}))
+                sample_set_add(set, &s);
+        }
+    if (count)
+        *count = (struct lattice_gregory_count){configurations, configurations * sets, set->n - before};
+    gsl_rng_free(stream);
+    sample_set_free(&facets);
+    return true;
+}
+
+/* ---- meshes of smooth bodies ---- */
+
+/* Coarse and fine meshes, whose nodes are moved by up to a fifth of a segment. */
+enum { SIZES = 4, MESHES = SMOOTH_KINDS * SIZES };
+static const int size[SMOOTH_KINDS][SIZES] = {{3, 4, 6, 8}, {8, 12, 16, 20}, {4, 6, 8, 12}, {10, 14, 18, 24}};
+static const double jitter = 0.2;
+
+/* Draws a body, one of its meshes, a segment, and a slave node over it, with the mesh's node normals. The foot point is
+ * the patch's certain closest point. Returns false, to be drawn again, if another point is nearer or the search cannot
+ * decide. */
+static bool smooth_draw(gsl_rng *stream, struct smooth_mesh *const *mesh, double gap, enum patch_kind kind,
+                        struct sample *s)
+{
+    const struct smooth_mesh *m = mesh[gsl_rng_uniform_int(stream, MESHES)];
+    const double xi = gsl_ran_flat(stream, -1, 1), eta = gsl_ran_flat(stream, -1, 1);
+    struct footpoint_gregory patch;
+    struct stationary closest;
+    double r[3], n[3];
+    smooth_segment(m, gsl_rng_uniform_int(stream, m->segments), m->mean, s->x, s->x + PATCH_NORMALS);
+    const double height = gap * sample_shortest_edge(s, 4) * gsl_ran_flat(stream, -1, 1);
+    if (patch_points(kind, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK ||
+        footpoint_gregory_normal(&patch, xi, eta, n) != FOOTPOINT_OK)
+        return false;
+    footpoint_gregory_position(&patch, xi, eta, r);
+    for (int k = 0; k < 3; k++)
+        s->xs[k] = r[k] + height * n[k];
+    const bool known =
+        foot_patch_closest_near(&patch, s->xs, (double[]){-1, -1}, (double[]){1, 1}, (double[]){xi, eta}, &closest);
+    if ((!known && !foot_patch_closest(&patch, s->xs, &closest)) || !closest.minimum ||
+        fabs(closest.xi - xi) + fabs(closest.eta - eta) > 1e-6)
+        return false;
+    s->xi = closest.xi;
+    s->eta = closest.eta;
+    return footpoint_gregory_gap(&patch, s->xs, s->xi, s->eta, &s->gap) == FOOTPOINT_OK;
+}
+
+static size_t smooth_drawn(char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    size_t length = (size_t)snprintf(line[0], DRAWN_LENGTH, "any segment of any of %d meshes of", (int)MESHES);
+    for (int k = 0; k < SMOOTH_KINDS; k++)
+        length += (size_t)snprintf(line[0] + length, DRAWN_LENGTH - length, "%s %s", k > 0 ? "," : "", smooth_name[k]);
+    snprintf(line[0] + length, DRAWN_LENGTH - length, ", coarse to fine; xi, eta and gap uniform");
+    return 1;
+}
+
+static struct smooth_mesh **smooth_new(uint64_t seed)
+{
+    struct smooth_mesh **mesh = new_array(MESHES, sizeof(struct smooth_mesh *));
+    for (int k = 0; k < MESHES; k++)
+        mesh[k] =
+            smooth_mesh_new((enum smooth_kind)(k / SIZES), size[k / SIZES][k % SIZES], jitter, seed + (uint64_t)k);
+    return mesh;
+}
+
+void smooth_free(struct smooth_mesh **mesh)
+{
+    for (int k = 0; mesh && k < MESHES; k++)
+        smooth_mesh_free(mesh[k]);
+    free(mesh);
+}
+
+void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct sample_set *set)
+{
+    struct smooth_mesh **mesh = smooth_new(smooth->seed);
+    gsl_rng *stream = stream_new();
+    for (size_t i = 0; i < count; i++) {
+        struct sample s = {0};
+        stream_key(stream, smooth->seed, (uint64_t)part, i, 0);
+        while (!smooth_draw(stream, mesh, smooth->gap, smooth->kind, &s))
+            continue;
+        sample_set_add(set, &s);
+    }
+    smooth_free(mesh);
+    gsl_rng_free(stream);
+}
+
+/* ---- parts of a scene ---- */
 
 /* Returns how many configurations make `samples` samples. */
 static size_t configurations(const struct lattice *l, size_t samples)
@@ -44,14 +195,14 @@ static bool draw_body(const struct sampler *p, struct sample *s)
     return smooth_draw(p->stream, p->body, p->scene->shapes.gap, kind_of(p->scene), s);
 }
 
-size_t patches_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+size_t patches_drawn(const struct sampler *p, char line[DRAWN_LINES][DRAWN_LENGTH])
 {
-    if (scene->source != SOURCE_LATTICE)
+    if (p->scene->source != SOURCE_LATTICE)
         return smooth_drawn(line);
-    const size_t lines = lattice_drawn(scene, line);
+    const size_t lines = lattice_drawn(p, line);
     snprintf(line[lines], DRAWN_LENGTH,
              "normals at each corner: tilt uniform in a disc, %d sets a configuration of the grid",
-             scene->lattice.normal_sets);
+             p->scene->lattice.normal_sets);
     return lines + 1;
 }
 

@@ -3,7 +3,7 @@
  * to `curve` of its length. They then move by up to `shift` of the shortest edge in x, y and z. A middle node moves
  * likewise from the place that the edges imply. Faces that fold over, or turn by more than 60 degrees, are drawn
  * again. */
-#include "source.h"
+#include "samples.h"
 
 #include "../common/vec3.h"
 

@@ -4,13 +4,13 @@
  * frequent. In PART_HELDOUT_EVEN aspect ratios (not their logarithms) and angles of warp are uniform. */
 #include "../common/vec3.h"
 #include "../surface/surface.h"
-#include "source.h"
+#include "samples.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
 #include <math.h>
 
-static double uniform(gsl_rng *stream, double max)
+double draw_uniform(gsl_rng *stream, double max)
 {
     return gsl_ran_flat(stream, -max, max);
 }
@@ -54,11 +54,11 @@ bool draw_quad(const struct surface *f, gsl_rng *stream, const struct shapes *sh
 {
     const double part = gsl_ran_flat(stream, -1, 1), longer = 1 + fabs(part) * (shapes->aspect - 1);
     const double aspect = !shapes->evenly ? pow(shapes->aspect, part) : part < 0 ? 1 / longer : longer;
-    const double angle = M_PI_2 + uniform(stream, shapes->skew);
+    const double angle = M_PI_2 + draw_uniform(stream, shapes->skew);
     const double length1 = fmax(1, aspect), length2 = fmax(1, 1 / aspect);
-    const double a = uniform(stream, shapes->taper), b = uniform(stream, shapes->taper);
+    const double a = draw_uniform(stream, shapes->taper), b = draw_uniform(stream, shapes->taper);
     const double c1[3] = {length1, 0, 0}, c2[3] = {length2 * cos(angle), length2 * sin(angle), 0};
-    const double warp = uniform(stream, shapes->warp);
+    const double warp = draw_uniform(stream, shapes->warp);
     /* Either the warp of a rectangle with these sides, or the segment's own. */
     const double g = shapes->evenly && shapes->warp > 0 ? copysign(height_of_warp(f, c1, c2, a, b, fabs(warp)), warp)
                                                         : tan(warp / 2) / hypot(1 / length1, 1 / length2);

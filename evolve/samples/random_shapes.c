@@ -3,22 +3,17 @@
 #include "../common/stream.h"
 #include "../common/vec3.h"
 #include "../surface/surface.h"
-#include "source.h"
+#include "samples.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
 #include <string.h>
 
-static double uniform(gsl_rng *stream, double max)
-{
-    return gsl_ran_flat(stream, -max, max);
-}
-
 static double draw_gap(gsl_rng *stream, double least, double most)
 {
     if (least == 0)
-        return uniform(stream, most);
-    const double part = uniform(stream, 1);
+        return draw_uniform(stream, most);
+    const double part = draw_uniform(stream, 1);
     return copysign(least * pow(most / least, fabs(part)), part);
 }
 
@@ -58,9 +53,9 @@ static void move(gsl_rng *stream, const struct segment_kind *kind, double (*x)[3
 {
     double q[3][3], shift[3];
     random_rotation(stream, q);
-    const double scale = pow(10, uniform(stream, 3));
+    const double scale = pow(10, draw_uniform(stream, 3));
     for (int k = 0; k < 3; k++)
-        shift[k] = uniform(stream, 10);
+        shift[k] = draw_uniform(stream, 10);
     for (size_t i = 0; i < segment_vectors(kind); i++) {
         const double v[3] = {x[i][0], x[i][1], x[i][2]};
         const bool node = i < strlen(kind->nodes);
@@ -101,8 +96,9 @@ void sample_order(struct sample *s, enum corner_order order)
     }
 }
 
-size_t shapes_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+size_t shapes_drawn(const struct sampler *sampler, char line[DRAWN_LINES][DRAWN_LENGTH])
 {
+    const struct scene *scene = sampler->scene;
     const struct shapes *p = &scene->shapes;
     const bool warps = !scene->segment->triangle && p->warp > 0;
     const bool curves = strlen(scene->segment->nodes) > scene->segment->corners;
@@ -118,7 +114,7 @@ size_t shapes_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENG
     return lines;
 }
 
-bool shapes_draw(const struct sampler *p, struct sample *s)
+static bool shapes_draw(const struct sampler *p, struct sample *s)
 {
     const struct scene *scene = p->scene;
     struct shapes shapes = scene->shapes;
@@ -134,5 +130,12 @@ bool shapes_draw(const struct sampler *p, struct sample *s)
     if (!place_slave(p->stream, scene, 0, shapes.gap * shortest, s))
         return false;
     sample_order(s, scene->order);
+    return true;
+}
+
+bool shapes_prepare(struct sampler *p, struct diag *d)
+{
+    (void)d;
+    p->draw = shapes_draw;
     return true;
 }

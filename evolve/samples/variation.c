@@ -3,6 +3,7 @@
 #include "variation.h"
 
 #include "../common/vec3.h"
+#include "../surface/foot_bilinear.h"
 
 #include <float.h>
 #include <gsl/gsl_math.h>
@@ -17,19 +18,7 @@ const char *const variation_name[] = {[VARY_RECTANGLES] = "rectangles",
                                       [VARY_PLANE] = "plane",
                                       [VARY_WARPED] = "warped"};
 
-/* Computes c1, c2 and c3 from differences of corners, which lose nothing far from the origin. */
-static void expand(double x[4][3], double c[3][3])
-{
-    for (int k = 0; k < 3; k++) {
-        const double ab = x[1][k] - x[0][k], dc = x[2][k] - x[3][k];
-        const double ad = x[3][k] - x[0][k], bc = x[2][k] - x[1][k];
-        c[0][k] = (ab + dc) / 4;
-        c[1][k] = (ad + bc) / 4;
-        c[2][k] = (dc - ab) / 4;
-    }
-}
-
-static double largest_coordinate(double x[4][3])
+static double largest_coordinate(const double x[][3])
 {
     double largest = 0;
     for (int i = 0; i < 4; i++)
@@ -57,9 +46,9 @@ static double turn(double c[3][3], double eta)
 
 static struct variation measure(const struct sample *s)
 {
-    double x[4][3], c[3][3], n[3], a[3], b[3];
-    memcpy(x, s->x, sizeof x);
-    expand(x, c);
+    const double(*x)[3] = (const double(*)[3])s->x;
+    double c[3][3], n[3], a[3], b[3];
+    bilinear_vectors(x, c);
     vector_cross(c[0], c[1], n);
     vector_cross(c[2], c[1], a);
     vector_cross(c[0], c[2], b);

@@ -181,8 +181,7 @@ static long double distance_at(const struct local *l, long double xi, long doubl
     return sqrtl(long_dot(v, v));
 }
 
-/* Inserts by ascending distance; drops a point found twice. */
-static int insert(struct stationary found[5], int n, const struct stationary *s)
+int stationary_insert(struct stationary *found, int n, int most, const struct stationary *s)
 {
     int k;
     for (k = 0; k < n; k++)
@@ -190,7 +189,7 @@ static int insert(struct stationary found[5], int n, const struct stationary *s)
             found[k].minimum = found[k].minimum || s->minimum;
             return n;
         }
-    if (n == 5)
+    if (n == most)
         return n;
     for (k = n; k > 0 && found[k - 1].distance > s->distance; k--)
         found[k] = found[k - 1];
@@ -221,7 +220,7 @@ static int add_stationary(const struct local *l, const struct products *q, bool 
     s.xi = (double)*xi;
     s.eta = (double)*eta;
     s.distance = (double)(l->size * distance_at(l, *xi, *eta));
-    return insert(found, n, &s);
+    return stationary_insert(found, n, 5, &s);
 }
 
 /* A leading coefficient that is faint, or only rounding, has a far root, which costs the others their digits: those are
@@ -267,10 +266,9 @@ static bool label(const struct local *l, long double xi, long double eta, struct
     return true;
 }
 
-/* Returns true if lo < v <= hi, with values within rounding of a bound treated as on it. */
-static bool inside(double v, double lo, double hi)
+bool stationary_inside(const struct stationary *s, const double lo[2], const double hi[2])
 {
-    return v > lo + BOUND && v <= hi + BOUND;
+    return s->xi > lo[0] + BOUND && s->xi <= hi[0] + BOUND && s->eta > lo[1] + BOUND && s->eta <= hi[1] + BOUND;
 }
 
 /* Returns true if the left side of (7) does not change its sign on the box. It is linear in the first coordinate and
@@ -309,18 +307,24 @@ static bool empty_box(const double c[3][3], const double d[3], const double xi[2
     return true;
 }
 
-/* Excludes stationary points in the box, quickly and with certainty. Most pairs of a search end here. */
-static bool excluded(const double x[4][3], const double xs[3], const double lo[2], const double hi[2])
+void bilinear_vectors(const double x[4][3], double c[3][3])
 {
-    const double xi[2] = {lo[0] - WIDER, hi[0] + WIDER}, eta[2] = {lo[1] - WIDER, hi[1] + WIDER};
-    double c[3][3], d[3];
     for (int k = 0; k < 3; k++) {
         const double ab = x[1][k] - x[0][k], dc = x[2][k] - x[3][k], ad = x[3][k] - x[0][k], bc = x[2][k] - x[1][k];
         c[0][k] = (ab + dc) / 4;
         c[1][k] = (ad + bc) / 4;
         c[2][k] = (dc - ab) / 4;
-        d[k] = ((xs[k] - x[0][k]) + (xs[k] - x[1][k]) + (xs[k] - x[2][k]) + (xs[k] - x[3][k])) / 4;
     }
+}
+
+/* Excludes stationary points in the box, quickly and with certainty. Most pairs of a search end here. */
+static bool excluded(const double x[4][3], const double xs[3], const double lo[2], const double hi[2])
+{
+    const double xi[2] = {lo[0] - WIDER, hi[0] + WIDER}, eta[2] = {lo[1] - WIDER, hi[1] + WIDER};
+    double c[3][3], d[3];
+    bilinear_vectors(x, c);
+    for (int k = 0; k < 3; k++)
+        d[k] = ((xs[k] - x[0][k]) + (xs[k] - x[1][k]) + (xs[k] - x[2][k]) + (xs[k] - x[3][k])) / 4;
     return empty_box((const double(*)[3])c, d, xi, eta, 6);
 }
 
@@ -344,8 +348,8 @@ static bool find_nearest(const struct local *l, const double lo[2], const double
 {
     long double xi = near[0], eta = near[1], a[3], b[3], v[3];
     bool minimum;
-    if (!polish(l, &xi, &eta, &minimum) || !minimum || !inside((double)xi, lo[0], hi[0]) ||
-        !inside((double)eta, lo[1], hi[1]))
+    if (!polish(l, &xi, &eta, &minimum) || !minimum ||
+        !stationary_inside(&(struct stationary){.xi = (double)xi, .eta = (double)eta}, lo, hi))
         return false;
     derive(l, xi, eta, a, b, v);
     return (is_positive(a, b, l->c3, v, lo[1] - WIDER - eta, hi[1] + WIDER - eta) ||
@@ -367,7 +371,7 @@ bool surface_foot_bilinear(const struct surface *f, struct sample *s, const doub
     const int n = all_stationary(&l, found);
     for (int k = 0; k < n; k++) {
         const struct stationary *p = &found[k];
-        if (p->minimum && inside(p->xi, lo[0], hi[0]) && inside(p->eta, lo[1], hi[1]) && label(&l, p->xi, p->eta, s))
+        if (p->minimum && stationary_inside(p, lo, hi) && label(&l, p->xi, p->eta, s))
             return true;
     }
     return false;

@@ -1,16 +1,29 @@
-/* The certain closest point on a Gregory patch: the nearest among its stationary points (foot_patch_boxes.h), the
+/* The certain closest point on a Gregory patch: the nearest among its stationary points (foot_patch_boxes.c), the
  * stationary points of its edges, and its corners. Edges are cubic curves: signs of Bernstein coefficients isolate the
  * zeros of a quintic. */
 #include "foot_patch.h"
 
-#include "foot_patch_boxes.h"
 #include "surface.h"
 
 #include <math.h>
 #include <string.h>
 
 #define MARGIN 1e-13 /* for rounding, in units of the patch's size */
-#define BOUND 1e-12  /* rounding of a coordinate at the bound of a box */
+
+int patch_points(enum patch_kind kind, const double x[][3], struct footpoint_gregory *patch)
+{
+    if (kind == PATCH_GREGORY)
+        return footpoint_gregory_points(x, x + PATCH_NORMALS, patch);
+    struct footpoint_bezier net;
+    const int status = footpoint_bezier_points(x, x + PATCH_NORMALS, &net);
+    if (status != FOOTPOINT_OK)
+        return status;
+    patch->net = net;
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++)
+            memcpy(patch->twin[i][j], net.p[1 + i][1 + j], sizeof net.p[0][0]);
+    return FOOTPOINT_OK;
+}
 
 static struct patch_box box_of(const double lo[2], const double hi[2])
 {
@@ -120,11 +133,6 @@ bool foot_patch_closest_near(const struct footpoint_gregory *patch, const double
     return true;
 }
 
-static bool inside(double v, double lo, double hi)
-{
-    return v > lo + BOUND && v <= hi + BOUND;
-}
-
 /* Computes (xs - r).n; returns false if the surface has no normal. */
 static bool gap_at(const struct footpoint_gregory *patch, const double xs[3], double xi, double eta, double *gap)
 {
@@ -149,7 +157,7 @@ bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], cons
     const bool known = near && foot_patch_closest_near(&patch, s->xs, lo, hi, near, found);
     const int n = known ? 1 : foot_patch_stationary(&patch, s->xs, lo, hi, found);
     for (int k = 0; k < n; k++)
-        if (found[k].minimum && inside(found[k].xi, lo[0], hi[0]) && inside(found[k].eta, lo[1], hi[1]) &&
+        if (found[k].minimum && stationary_inside(&found[k], lo, hi) &&
             gap_at(&patch, s->xs, found[k].xi, found[k].eta, &s->gap)) {
             s->xi = found[k].xi;
             s->eta = found[k].eta;

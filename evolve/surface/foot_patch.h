@@ -2,9 +2,12 @@
 #ifndef FOOTPOINT_FOOT_PATCH_H
 #define FOOTPOINT_FOOT_PATCH_H
 
-#include "foot_patch_boxes.h"
-#include "patch.h"
+#include "foot_patch_local.h"
 #include "sample.h"
+
+/** Computes the control points of a patch from x[8], corners and normals. A Bezier patch becomes a Gregory patch whose
+ *  twins are its inner points. Returns the status of footpoint_gregory_points(). */
+int patch_points(enum patch_kind kind, const double x[][3], struct footpoint_gregory *patch);
 
 /** Finds all stationary points of the distance from xs to the patch in the box lo <= xi,eta <= hi, within -1..1,
  *  nearest first. Returns their number, or PATCH_UNCERTAIN if they cannot be separated: near a centre of curvature, or

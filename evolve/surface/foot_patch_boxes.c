@@ -12,7 +12,7 @@
  * runtime/geometry/gregory.c), in closed form, from factors that are monotonic and not negative. First derivatives and
  * points follow by integration from the centre. Bounds are computed in double; signs count only beyond a margin for
  * rounding. */
-#include "foot_patch_boxes.h"
+#include "foot_patch_local.h"
 
 #include <math.h>
 #include <string.h>
@@ -203,18 +203,6 @@ static enum verdict judge(const struct patch_local *l, struct patch_box *box)
     return area < 0.5 * 4 * hu * hv ? NARROWED : WIDE;
 }
 
-static int insert(struct stationary *found, int n, const struct stationary *s)
-{
-    int k;
-    for (k = 0; k < n; k++)
-        if (fabs(found[k].xi - s->xi) + fabs(found[k].eta - s->eta) <= 1e-10)
-            return n;
-    for (k = n; k > 0 && found[k - 1].distance > s->distance; k--)
-        found[k] = found[k - 1];
-    found[k] = *s;
-    return n + 1;
-}
-
 /* Finds the only zero of a box from its middle. Returns false if the iteration does not find it. */
 static bool find_one(const struct patch_local *l, const struct patch_box *box, struct stationary *s)
 {
@@ -254,7 +242,7 @@ int patch_boxes_search(const struct patch_local *l, const struct patch_box *whol
         case ONE:
             if (n == PATCH_STATIONARY_MAX || !find_one(l, &box, &s))
                 return PATCH_UNCERTAIN;
-            n = insert(found, n, &s);
+            n = stationary_insert(found, n, PATCH_STATIONARY_MAX, &s);
             continue;
         case NARROWED:
             waiting[depth++] = box;

@@ -1,5 +1,5 @@
-/* A Gregory patch for the reference search: relative to the slave node, in units of its size, with u = (1 + xi)/2 and v
- * = (1 + eta)/2; evaluated in long double. */
+/* A Gregory patch for the reference search, relative to the slave node, in units of its size, with u = (1 + xi)/2 and v
+ * = (1 + eta)/2, evaluated in long double; and all its stationary points in a box, with certainty. */
 #ifndef FOOTPOINT_FOOT_PATCH_LOCAL_H
 #define FOOTPOINT_FOOT_PATCH_LOCAL_H
 
@@ -30,5 +30,19 @@ bool patch_polish(const struct patch_local *l, long double *u, long double *v, b
 
 /** Returns the point at (u,v) with its distance, in the callers' coordinates. */
 struct stationary patch_point_at(const struct patch_local *l, long double u, long double v, bool minimum);
+
+struct patch_box {
+    double u[2], v[2]; /* within 0..1 */
+};
+
+enum { PATCH_STATIONARY_MAX = 16, PATCH_UNCERTAIN = -1 };
+
+/** Finds the stationary points in a box, nearest first; returns their number, or PATCH_UNCERTAIN. */
+int patch_boxes_search(const struct patch_local *l, const struct patch_box *whole,
+                       struct stationary found[PATCH_STATIONARY_MAX]);
+
+/** Returns true if it is proved that no point of a box, bounds included, is nearer than the minimum at (u,v) within it: half
+ *  the squared distance is convex on a part of the box around the minimum, and larger in the rest. */
+bool patch_boxes_none_nearer(const struct patch_local *l, const struct patch_box *whole, double u, double v);
 
 #endif

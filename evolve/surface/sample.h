@@ -15,6 +15,10 @@ struct sample {
     double gap;     /* (xs - r(xi,eta)) . n, with the unit normal n there, right-handed in xi, eta; same unit as x */
 };
 
+/** Patches on four corners and their unit normals. */
+enum patch_kind { PATCH_GREGORY, PATCH_BEZIER };
+enum { PATCH_NORMALS = 4 }; /* index of the first normal among a sample's vectors, after the corners */
+
 struct sample_set {
     struct sample *s; /* owned */
     size_t n, room;

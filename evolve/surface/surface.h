@@ -3,7 +3,6 @@
 #ifndef FOOTPOINT_SURFACE_H
 #define FOOTPOINT_SURFACE_H
 
-#include "patch.h"
 #include "sample.h"
 
 #include <stdbool.h>

@@ -3,7 +3,7 @@
 #define FOOTPOINT_ARCHIVE_WRITE_H
 
 #include "../archive/archive.h"
-#include "../samples/sampler.h"
+#include "../samples/samples.h"
 
 /** Facts about this run, for the provenance of its results. */
 struct run_facts {

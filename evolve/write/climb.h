@@ -3,7 +3,7 @@
 #define FOOTPOINT_CLIMB_H
 
 #include "../eval/errors.h"
-#include "../samples/sampler.h"
+#include "../samples/samples.h"
 
 /** Climbs from the worst samples of a function, TALLY_WORST in all.  Each climber changes the random numbers that its sample
  *  is drawn from, 60 times on bilinear faces and 30 times on curved ones, by ever smaller steps, and keeps a change if it

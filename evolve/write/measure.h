@@ -3,7 +3,7 @@
 #define FOOTPOINT_MEASURE_H
 
 #include "../eval/errors.h"
-#include "../samples/sampler.h"
+#include "../samples/samples.h"
 
 enum { HELDOUT_PIECE = 4096 };
 /** Draws the next *n <= HELDOUT_PIECE samples of a part, starting at number *at, and advances *at; *n is 0 after the last

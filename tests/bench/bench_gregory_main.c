@@ -5,8 +5,7 @@
  * prepared patches. Errors pool |xi - xi_ref| and |eta - eta_ref|. */
 #include "../../codegen/base/base.h"
 #include "../../evolve/samples/bodies.h"
-#include "../../evolve/samples/body_samples.h"
-#include "../../evolve/samples/lattice_normals.h"
+#include "../../evolve/samples/patch_samples.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
 #include "../support/error_stats.h"
 #include "bench_gregory.h"

@@ -2,8 +2,7 @@
  * worse than a scene's; then the samples made with it. */
 #include "../../codegen/base/base.h"
 #include "../../evolve/common/stream.h"
-#include "../../evolve/samples/body_samples.h"
-#include "../../evolve/samples/lattice_normals.h"
+#include "../../evolve/samples/patch_samples.h"
 #include "../../evolve/surface/foot_patch.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
 

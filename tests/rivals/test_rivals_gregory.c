@@ -1,7 +1,7 @@
 /* The hand-written searches on Gregory patches use the same surface as the runtime and find the reference's foot
  * points. */
 #include "../../codegen/base/base.h"
-#include "../../evolve/samples/body_samples.h"
+#include "../../evolve/samples/patch_samples.h"
 #include "rivals_gregory.h"
 
 #include "../../runtime/geometry/footpoint-gregory-geometry.h"

@@ -1,12 +1,10 @@
-/* The paper's data set of section 7.2: configurations of its lattice, each with several random sets of node normals. */
-#ifndef FOOTPOINT_LATTICE_NORMALS_H
-#define FOOTPOINT_LATTICE_NORMALS_H
+/* Samples on patches: the paper's data set of section 7.2, configurations of its lattice, each with several random sets
+ * of node normals; and samples on meshes of smooth bodies, as contact searches on smoothed surfaces meet them. */
+#ifndef FOOTPOINT_PATCH_SAMPLES_H
+#define FOOTPOINT_PATCH_SAMPLES_H
 
 #include "../input/scene.h"
-#include "../surface/patch.h"
 #include "../surface/sample.h"
-
-#include <gsl/gsl_rng.h>
 
 struct lattice_gregory {
     const struct scene *scene; /* the scene of the lattice; not owned */
@@ -21,14 +19,20 @@ struct lattice_gregory_count {
     size_t configurations, drawn, kept; /* drawn: configurations times sets; kept: the foot point lies in the box */
 };
 
-/** Draws the node normals of a configuration.
- *  @param[in] tangent  of their largest tilt */
-void draw_normals(gsl_rng *stream, double tangent, struct sample *s);
-
 /** Appends the samples whose foot points on the patch and on the facet lie in the scene's box, ordered by configuration
  *  of the grid, then by set. The tangent of a tilt is uniform in a disc. Returns false with *d filled on errors. *count
  *  may be NULL. */
 bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part part, struct sample_set *set,
                              struct lattice_gregory_count *count, struct diag *d);
+
+struct smooth {
+    uint64_t seed;
+    double gap; /* |gap| over the shortest edge, 0..gap */
+    enum patch_kind kind;
+};
+
+/** Appends `count` samples of the part on smooth bodies. They depend only on seed, gap, kind and part; different parts
+ *  share no sample. */
+void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct sample_set *set);
 
 #endif
