@@ -7,7 +7,7 @@
 #include "input/scene_print.h"
 #include "mpi/shared_file.h"
 #include "run/run.h"
-#include "write/samples_write.h"
+#include "write/archive_write.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -66,6 +66,11 @@ struct checkpoint checkpoint_new(const char *facts, const size_t *bytes, size_t 
     return c;
 }
 
+static bool damaged(const char *path, struct diag *d)
+{
+    return diag_at(d, path, 0, 0, "checkpoint is truncated or damaged");
+}
+
 /* Reads a number of the first line and the character that follows it. */
 static bool read_number(const char **text, char after, size_t *value)
 {
@@ -88,14 +93,14 @@ static bool read_first(struct checkpoint *c, const char *path, const char *text,
     if (strncmp(text, magic, sizeof magic - 1) != 0)
         return diag_at(d, path, 0, 0, "no checkpoint");
     if (!read_number(&at, ' ', &format))
-        return diag_at(d, path, 0, 0, "checkpoint is truncated or damaged");
+        return damaged(path, d);
     if (format != CHECKPOINT_FORMAT)
         return diag_at(d, path, 0, 0, "checkpoint has format %zu; this program reads %d", format, CHECKPOINT_FORMAT);
     if (!read_number(&at, ' ', facts) || !read_number(&at, '\n', &c->sections) || *facts > most ||
         c->sections > most / SIZE_BYTES)
-        return diag_at(d, path, 0, 0, "checkpoint is truncated or damaged");
+        return damaged(path, d);
     c->head_bytes = (size_t)(at - text) + *facts + c->sections * SIZE_BYTES + CHECKPOINT_SEAL;
-    return c->head_bytes <= most || diag_at(d, path, 0, 0, "checkpoint is truncated or damaged");
+    return c->head_bytes <= most || damaged(path, d);
 }
 
 /* Parses the head at c->head, of c->head_bytes. */
@@ -133,7 +138,7 @@ static bool read_file(struct checkpoint *c, const char *path, FILE *f, struct di
     rewind(f);
     if (fread(c->head, 1, c->head_bytes, f) != c->head_bytes && ferror(f))
         return diag_system(d, path, "cannot read");
-    return (read_head(c, facts) && c->size == size) || diag_at(d, path, 0, 0, "checkpoint is truncated or damaged");
+    return (read_head(c, facts) && c->size == size) || damaged(path, d);
 }
 
 bool checkpoint_read(struct checkpoint *c, const char *path, struct diag *d)
@@ -156,7 +161,7 @@ bool checkpoint_take(struct checkpoint *c, const char *path, const char *head, s
     if (!read_first(c, path, head, SIZE_MAX, &facts, d))
         return false;
     c->head = new_text(head, c->head_bytes);
-    return read_head(c, facts) || diag_at(d, path, 0, 0, "checkpoint is truncated or damaged");
+    return read_head(c, facts) || damaged(path, d);
 }
 
 unsigned char *checkpoint_section(const struct checkpoint *c, const char *path, size_t i, struct diag *d)
@@ -171,7 +176,7 @@ unsigned char *checkpoint_section(const struct checkpoint *c, const char *path, 
     unsigned char *data = new_array(bytes + 1, 1);
     bool good = fseeko(f, (off_t)part->place, SEEK_SET) == 0;
     good = (good && (fread(data, 1, bytes, f) == bytes || !ferror(f))) || diag_system(d, path, "cannot read");
-    good = good && (sealed(data, part->bytes) || diag_at(d, path, 0, 0, "checkpoint is truncated or damaged"));
+    good = good && (sealed(data, part->bytes) || damaged(path, d));
     fclose(f);
     data[part->bytes] = '\0';
     if (good)
@@ -191,17 +196,12 @@ void checkpoint_free(struct checkpoint *c)
 bool checkpoint_fact(const char *facts, const char *key, char *value, size_t n)
 {
     const size_t length = strlen(key);
-    for (const char *line = facts; *line;) {
-        const size_t end = strcspn(line, "\n");
-        if (end > length && memcmp(line, key, length) == 0 && line[length] == ' ') {
-            const size_t size = end - length - 1;
-            if (size >= n)
-                return false;
-            memcpy(value, line + length + 1, size);
-            value[size] = '\0';
-            return true;
+    for (const char *line = facts; *line; line += strcspn(line, "\n"), line += *line == '\n')
+        if (strncmp(line, key, length) == 0 && line[length] == ' ') {
+            const size_t size = strcspn(line + length + 1, "\n");
+            if (size < n)
+                snprintf(value, n, "%.*s", (int)size, line + length + 1);
+            return size < n;
         }
-        line += end + (line[end] == '\n');
-    }
     return false;
 }

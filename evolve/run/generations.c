@@ -1,10 +1,10 @@
-/* The generations of a run; see generations.h. An island continues as soon as the parcel of its own migration has
+/* The generations of a run; see run.h. An island continues as soon as the parcel of its own migration has
  * arrived. A rank works on the ready island that is furthest behind; ranks synchronise only at checkpoints. Whenever
  * all islands of a rank have completed a generation, the rank votes in a poll. A poll's decision (a checkpoint, the
  * end) takes effect `lag` generations later. No island can have passed that generation, because no island runs further
  * ahead before the polls are counted. So all ranks save and end at the same generation, and islands' results do not
  * depend on time. */
-#include "generations.h"
+#include "run.h"
 
 #include "../../codegen/base/console.h"
 #include "../mpi/poll.h"

@@ -79,21 +79,10 @@ static size_t report_bytes(const struct island *is)
     return island_report_size(is) * sizeof(int);
 }
 
-static void take_report(struct reports *f, size_t island, int *report)
-{
-    const int *at = report + 1;
-    f->memory[island] = report;
-    for (int k = 0; k < report[0]; k++) {
-        struct reported *r = &APPEND(f->found, f->n, f->room);
-        r->island = island;
-        at = island_reported(at, &r->genes, &r->error);
-    }
-}
-
-struct reports islands_reports(const struct islands *s, const struct team *t)
+void islands_reports(const struct islands *s, const struct team *t,
+                     void (*take)(void *to, size_t island, const int *report), void *to)
 {
     const size_t n = islands_count(s);
-    struct reports f = {.islands = t->rank == 0 ? n : 0, .memory = new_array(n, sizeof(int *))};
     struct mail mail = {0};
     struct gather g;
     size_t *bytes = new_array(n, sizeof *bytes);
@@ -105,20 +94,13 @@ struct reports islands_reports(const struct islands *s, const struct team *t)
             mail_send(t, &mail, report, report_bytes(s->island[i]), 0, TAG_REPORT);
         }
     gather_start(&g, TAG_REPORT, s->owner, n);
-    for (size_t i = 0; i < f.islands; i++)
-        take_report(&f, i, gather_next(t, &g, bytes, 0, true));
+    for (size_t i = 0; t->rank == 0 && i < n; i++) {
+        int *report = gather_next(t, &g, bytes, 0, true);
+        take(to, i, report);
+        free(report);
+    }
     mail_free(&mail);
     free(bytes);
-    return f;
-}
-
-void reports_free(struct reports *f)
-{
-    for (size_t i = 0; i < f->islands; i++)
-        free(f->memory[i]);
-    free(f->memory);
-    free(f->found);
-    *f = (struct reports){0};
 }
 
 void islands_free(struct islands *s)

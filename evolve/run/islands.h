@@ -42,20 +42,8 @@ bool islands_can_be_tagged(const struct islands *s, const struct team *t, struct
 /** Collects a size of each island, computed by its owner, into size[0..n-1] on all ranks. Collective. */
 void islands_sizes(const struct islands *s, const struct team *t, size_t (*of)(const struct island *), size_t *size);
 
-/** A tree that an island reports. */
-struct reported {
-    size_t island;
-    struct genes genes; /* not owned: in the list's memory */
-    double error;       /* as minimised by the islands of its ring */
-};
-struct reports {
-    struct reported *found; /* owned: by island, in the order of its report */
-    size_t n, room;
-    int **memory; /* owned: a report per island */
-    size_t islands;
-};
-/** Gathers the reports of all islands (island_report) on rank 0; empty on other ranks. Collective. */
-struct reports islands_reports(const struct islands *s, const struct team *t);
-void reports_free(struct reports *f);
+/** Gathers the reports of all islands (island_report) on rank 0, which takes one after another, in their order. Collective. */
+void islands_reports(const struct islands *s, const struct team *t,
+                     void (*take)(void *to, size_t island, const int *report), void *to);
 
 #endif

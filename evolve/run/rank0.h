@@ -5,7 +5,7 @@
 
 #include "islands.h"
 #include "progress.h"
-#include "run_parts.h"
+#include "run.h"
 
 struct rank0 {
     const struct call *call; /* not owned */

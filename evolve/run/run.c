@@ -8,11 +8,7 @@
 #include "../fit/compose.h"
 #include "../samples/default_tiers.h"
 #include "../write/archive_write.h"
-#include "generations.h"
 #include "progress.h"
-#include "run_files.h"
-#include "run_samples.h"
-#include "run_verdict.h"
 
 #include <limits.h>
 #include <math.h>
@@ -355,31 +351,26 @@ static struct objective *judge_new(const struct problem *p, const struct columns
     return judge;
 }
 
-/* Merges the fronts of all islands, in their order.
- * Collective. */
-static void collect_fronts(const struct call *call, const struct problem *p, const struct islands *s)
+/* Merges the front of an island. */
+static void take_front(void *to, size_t island, const int *report)
 {
-    struct reports f = islands_reports(s, call->team);
-    size_t members = 0;
+    const struct run *r = to;
+    const struct ring *ring = &r->islands.ring[island / r->islands.places];
+    const bool seeded = r->islands.seeded[island];
+    const int *at = report + 1;
     double lowest = INFINITY;
-    for (size_t i = 0; i < f.n; i++) {
-        const size_t island = f.found[i].island;
-        const struct genes *t = &f.found[i].genes;
-        const struct ring *ring = &s->ring[island / s->places];
-        const double error = f.found[i].error;
-        archive_offer(p->archive, &p->plan, ring->quest, t, error, s->seeded[island] ? ORIGIN_SEEDED : ORIGIN_RANDOM);
-        members++;
+    for (int k = 0; k < report[0]; k++) {
+        struct genes t;
+        double error;
+        at = island_reported(at, &t, &error);
+        archive_offer(r->problem.archive, &r->problem.plan, ring->quest, &t, error,
+                      seeded ? ORIGIN_SEEDED : ORIGIN_RANDOM);
         lowest = fmin(lowest, error);
-        if (i + 1 < f.n && f.found[i + 1].island == island)
-            continue;
-        if (!call->options->quiet)
-            fprintf(stderr, "island %zu of %s %s (%s): %zu on its front, lowest error %.3e\n", island % s->places,
-                    ring->quest->own->name, frame_output[ring->quest->output], s->seeded[island] ? "seeded" : "random",
-                    members, lowest);
-        members = 0;
-        lowest = INFINITY;
     }
-    reports_free(&f);
+    if (report[0] > 0 && !r->call.options->quiet)
+        fprintf(stderr, "island %zu of %s %s (%s): %d on its front, lowest error %.3e\n", island % r->islands.places,
+                ring->quest->own->name, frame_output[ring->quest->output], seeded ? "seeded" : "random", report[0],
+                lowest);
 }
 
 static void choose(const struct call *call, const struct problem *p, const struct archive *shipped,
@@ -501,7 +492,7 @@ bool run_evolution(const struct evolve_options *o, const struct team *team, cons
             start_islands(&r.call, p, &r.islands, d) && evolve_islands(&r.call, p, &r.islands, &r.files, &r.outcome, d);
     }
     if (good) {
-        collect_fronts(&r.call, p, &r.islands);
+        islands_reports(&r.islands, team, take_front, &r);
         good = team_agree(team, team->rank > 0 || conclude(&r, d), d);
     }
     *status = stop_status(r.outcome.reason);

@@ -1,5 +1,5 @@
-/* Finds the files of a run and checks that they are compatible; see run_files.h. */
-#include "run_files.h"
+/* Finds the files of a run and checks that they are compatible; see run.h. */
+#include "run.h"
 
 #include "../../codegen/base/text.h"
 #include "../common/data_root.h"

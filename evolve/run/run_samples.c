@@ -1,9 +1,7 @@
-/* Draws the samples of a run; see run_samples.h. */
-#include "run_samples.h"
+/* Draws the samples of a run; see run.h. */
+#include "run.h"
 
 #include "../eval/frame.h"
-#include "../samples/samples.h"
-#include "run_verdict.h"
 
 #include <math.h>
 #include <stdlib.h>

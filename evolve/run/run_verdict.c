@@ -1,12 +1,10 @@
-/* Prints the verdict of a run; see run_verdict.h. */
-#include "run_verdict.h"
+/* Prints the verdict of a run; see run.h. */
+#include "run.h"
 
 #include "../../codegen/base/text.h"
 #include "../eval/frame.h"
-#include "../samples/variation.h"
 #include "../write/archive_write.h"
 #include "../write/page.h"
-#include "run_files.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -165,15 +163,12 @@ bool run_verdict(const struct call *call, const struct problem *p, const struct 
                  const struct heldout *heldout, struct diag *d)
 {
     struct beside b = {.shipped = shipped};
-    bool any = false, good;
     if (!shipped)
         return true;
-    good = measure_beside(p, heldout, &b, d);
+    bool good = measure_beside(p, heldout, &b, d);
     if (good) {
-        for (size_t i = 0; i < shipped->quests; i++)
-            any = any || (quest_of_programs(&shipped->quest[i]) && shipped->quest[i].champion.genes.length > 0);
         struct memory *m = memory_open();
-        if (any && call->options->generations > 0)
+        if (call->options->generations > 0)
             archive_verdict(p->archive, shipped, b.judge, m->stream);
         char *verdict = memory_close(m);
         fputs(verdict, stdout);

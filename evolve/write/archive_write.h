@@ -1,4 +1,4 @@
-/* Writes the results of a run, as files and as tables. */
+/* Writes the results of a run, as files and as tables, and samples held out. */
 #ifndef FOOTPOINT_ARCHIVE_WRITE_H
 #define FOOTPOINT_ARCHIVE_WRITE_H
 
@@ -33,9 +33,18 @@ void archive_table(const struct archive *a, FILE *stream);
 void archive_front_table(const struct archive *a, FILE *stream);
 
 /** Prints the functions of the run to use, beside the functions of the kind of face: at most five lines, by largest gain; or
- *  that no function gains.
+ *  that no function gains. Prints nothing if nothing is shipped.
  *  @param[in] shipped  the archive of the same scene and of the genomes of its kind, measured
  *  @param[in] judge    of samples held out, on the bare program */
 void archive_verdict(const struct archive *a, const struct archive *shipped, struct objective *judge, FILE *stream);
+
+/** Writes CSV: the line "part,<inputs of the segment>,xi,eta", then one for each sample, the part heldout,
+ *  heldout_random or heldout_even, the numbers hexadecimal and exact.  `scene` as for scene_read.  Behind a part, as
+ *  heldout_climbing or heldout_random_climbing, those that climbing from the worst samples of genomes ends at, of scenes in float
+ *  by errors in float.
+ *  @param[in] run      seed of the run that holds them out
+ *  @param[in] genomes  path of the genomes to climb with, or NULL */
+bool samples_write(const char *root, const char *scene, size_t run, const char *genomes, const char *path,
+                   struct diag *d);
 
 #endif

@@ -1,8 +1,7 @@
-/* Samples of a scene to a file; see samples_write.h. */
-#include "samples_write.h"
+/* Samples of a scene to a file, for whoever measures code on them; see archive_write.h. */
+#include "archive_write.h"
 
 #include "../input/scene_files.h"
-#include "../samples/samples.h"
 #include "climb.h"
 #include "measure.h"
 
