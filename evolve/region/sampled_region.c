@@ -5,7 +5,7 @@
 #include "../eval/frame.h"
 #include "../eval/lines_run.h"
 #include "region_values.h"
-#include "shape_requires.h"
+#include "shape_region.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -141,12 +141,13 @@ static void take_piece(struct region_survey *s, const struct sample *sample, siz
 
 void region_survey_take(struct region_survey *s, const struct sample *sample, size_t n)
 {
-    if (s->shapes) {
-        shape_survey_take(s->shapes, sample, n);
-        return;
+    for (size_t first = 0; s->file->segment && first < n; first += PIECE) {
+        const size_t piece = n - first < PIECE ? n - first : PIECE;
+        if (s->shapes)
+            shape_survey_take(s->shapes, sample + first, piece);
+        else
+            take_piece(s, sample + first, piece);
     }
-    for (size_t first = 0; s->file->segment && first < n; first += PIECE)
-        take_piece(s, sample + first, n - first < PIECE ? n - first : PIECE);
 }
 
 /* ---- requires ---- */
@@ -217,12 +218,4 @@ void region_survey_add(struct region_survey *s)
     free(s->e.hi);
     free(s->e.sized);
     free(s);
-}
-
-void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets)
-{
-    struct region_survey *s = region_survey_new(f);
-    for (size_t k = 0; k < sets; k++)
-        region_survey_take(s, set[k].s, set[k].n);
-    region_survey_add(s);
 }

@@ -1,16 +1,15 @@
-/* Extremes of a genome file's values on samples in the position of its region block; see shape_requires.h. */
-#include "shape_requires.h"
+/* Extremes of a genome file's values on samples in the position of its region block; see shape_region.h. */
+#include "shape_region.h"
 
 #include "../eval/frame.h"
 #include "../eval/lines_run.h"
 #include "region_values.h"
-#include "shape_region.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { PIECE = 4096, MOST_MARKS = 32 };
+enum { MOST_MARKS = 32 };
 
 #define LEAST_NEARNESS 1e-6 /* of the largest modulus: closer bounds gain nothing */
 
@@ -108,12 +107,12 @@ static double find_factor(const double *x, const double *mark, size_t n)
     return best;
 }
 
-static void take_in(struct shape_survey *s, struct value *v, const double *x, const struct columns *block, bool first)
+static void take_in(struct shape_survey *s, struct value *v, const double *x, const struct columns *block)
 {
     extend_range(x, block->n, &v->lo, &v->hi);
     for (size_t k = 0; k < s->marks; k++) {
         const double *mark = columns_at(block, s->mark[k]);
-        if (first)
+        if (!s->begun)
             v->factor[k] = find_factor(x, mark, block->n);
         v->far[k] = farthest(x, mark, v->factor[k], block->n, v->far[k]);
     }
@@ -138,26 +137,19 @@ static struct columns place(struct shape_survey *s, const struct sample *sample,
     return table;
 }
 
-static void measure_piece(struct shape_survey *s, const struct sample *sample, size_t n, bool first)
+void shape_survey_take(struct shape_survey *s, const struct sample *sample, size_t n)
 {
     struct columns block, table = place(s, sample, n, &block);
     double *x = new_array(n, sizeof *x);
     for (size_t i = 0; i < s->values; i++) {
         struct value *v = &s->value[i];
         table_values(&table, s->file->constant, v->gene, v->length, x);
-        take_in(s, v, x, &block, first);
+        take_in(s, v, x, &block);
     }
+    s->begun = true;
     columns_free(&table);
     columns_free(&block);
     free(x);
-}
-
-void shape_survey_take(struct shape_survey *s, const struct sample *sample, size_t n)
-{
-    for (size_t first = 0; first < n; first += PIECE) {
-        measure_piece(s, sample + first, n - first < PIECE ? n - first : PIECE, !s->begun);
-        s->begun = true;
-    }
 }
 
 static void find_nearest(struct shape_survey *s)
