@@ -6,8 +6,8 @@
  *   the contact point, a local minimum of the distance, lies in the box of the scene: A's quarter of the segment;
  *   and, if the scene requires it, Newton's iteration from (0,0) finds it, as in the paper.
  *
- * Coordinates on the lattice are integers, multiples of a common unit, so that ties are exact. Off the lattice, C, D
- * and S are uniform in the same ranges. */
+ * Coordinates on the lattice are whole multiples, at most 100,000, of a common unit, so that turns, distances and ties are exact.
+ * Off the lattice, C, D and S are uniform in the same ranges. */
 #include "../common/stream.h"
 #include "../common/vec3.h"
 #include "../surface/foot_bilinear.h"
@@ -45,17 +45,17 @@ static bool common_unit(const struct lattice *l, struct grid *g)
 }
 
 /* Returns the z component of (q - p) x (r - q). */
-static int64_t turn(const int p[3], const int q[3], const int r[3])
+static double turn(const double p[3], const double q[3], const double r[3])
 {
-    return (int64_t)(q[0] - p[0]) * (r[1] - q[1]) - (int64_t)(q[1] - p[1]) * (r[0] - q[0]);
+    return (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
 }
 
-static int64_t distance2(const int p[3], const int q[3])
+/* Returns true if no corner is nearer to p than A. */
+static bool nearest_to_first(double corner[][3], const double p[3])
 {
-    int64_t sum = 0;
-    for (int k = 0; k < 3; k++)
-        sum += (int64_t)(p[k] - q[k]) * (p[k] - q[k]);
-    return sum;
+    const double a = vector_distance2(p, corner[0]);
+    return !(a > vector_distance2(p, corner[1]) || a > vector_distance2(p, corner[2]) ||
+             a > vector_distance2(p, corner[3]));
 }
 
 /* Returns true if `steps` Newton steps from (0,0) on (7), (8) end at the foot point. */
@@ -96,22 +96,19 @@ static bool label(const struct lattice *l, struct sample *s)
     return foot_bilinear(s, lo, hi) && (l->newton == 0 || newton_finds(s, l->newton));
 }
 
-static void add_slaves(const struct lattice *l, const struct grid *g, int corner[4][3], struct sample_set *set)
+static void add_slaves(const struct lattice *l, const struct grid *g, double corner[4][3], struct sample_set *set)
 {
     struct sample s = {0};
-    int p[3];
+    double p[3];
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 3; k++)
-            s.x[i][k] = (double)corner[i][k] / g->n;
+            s.x[i][k] = corner[i][k] / g->n;
     for (p[0] = -g->xy; p[0] <= g->xy; p[0] += g->xy_step)
         for (p[1] = -g->xy; p[1] <= g->xy; p[1] += g->xy_step)
             for (p[2] = -g->z; p[2] <= g->z; p[2] += g->z_step) {
-                const int64_t a = distance2(p, corner[0]);
-                if (a > distance2(p, corner[1]) || a > distance2(p, corner[2]) || a > distance2(p, corner[3]))
-                    continue;
                 for (int k = 0; k < 3; k++)
-                    s.xs[k] = (double)p[k] / g->n;
-                if (label(l, &s))
+                    s.xs[k] = p[k] / g->n;
+                if (nearest_to_first(corner, p) && label(l, &s))
                     sample_set_add(set, &s);
             }
 }
@@ -142,7 +139,7 @@ static void add_mirrored(const struct sample_set *from, struct sample_set *set)
 }
 
 /* Appends all heights of C from the lowest. Heights below the plane are mirror images of those above it. */
-static void add_heights(const struct lattice *l, const struct grid *g, int corner[4][3], struct sample_set *set)
+static void add_heights(const struct lattice *l, const struct grid *g, double corner[4][3], struct sample_set *set)
 {
     const int heights = g->z / g->z_step;
     struct sample_set *above = new_array((size_t)heights + 1, sizeof *above);
@@ -164,11 +161,11 @@ static void add_heights(const struct lattice *l, const struct grid *g, int corne
 
 static void enumerate(const struct lattice *l, const struct grid *g, struct sample_set *set)
 {
-    int corner[4][3] = {{0, 0, 0}, {g->n, 0, 0}};
-    int *c = corner[2], *d = corner[3];
+    double corner[4][3] = {{0, 0, 0}, {g->n, 0, 0}}, *c = corner[2], *d = corner[3];
     for (d[0] = -g->xy; d[0] <= g->xy; d[0] += g->xy_step)
         for (d[1] = -g->xy; d[1] <= g->xy; d[1] += g->xy_step) {
-            if (distance2(corner[0], d) > (int64_t)g->n * g->n || turn(d, corner[0], corner[1]) <= 0)
+            if (vector_distance2(corner[0], d) > vector_distance2(corner[0], corner[1]) ||
+                turn(d, corner[0], corner[1]) <= 0)
                 continue;
             for (c[0] = -g->xy; c[0] <= g->xy; c[0] += g->xy_step)
                 for (c[1] = -g->xy; c[1] <= g->xy; c[1] += g->xy_step) {
@@ -185,11 +182,6 @@ static double within(gsl_rng *stream, double max)
     return max * (2 * gsl_rng_uniform(stream) - 1);
 }
 
-static double turn_of(const double p[3], const double q[3], const double r[3])
-{
-    return (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
-}
-
 /* Draws C, D and S. */
 bool lattice_draw(const struct sampler *p, struct sample *s)
 {
@@ -203,17 +195,13 @@ bool lattice_draw(const struct sampler *p, struct sample *s)
         return false;
     c[0] = within(stream, l->xy.most);
     c[1] = within(stream, l->xy.most);
-    if (!(turn_of(a, b, c) > 0 && turn_of(b, c, d) > 0 && turn_of(c, d, a) > 0))
+    if (!(turn(a, b, c) > 0 && turn(b, c, d) > 0 && turn(c, d, a) > 0))
         return false;
     c[2] = within(stream, l->z.most);
     s->xs[0] = within(stream, l->xy.most);
     s->xs[1] = within(stream, l->xy.most);
     s->xs[2] = within(stream, l->z.most);
-    const double nearest = vector_distance2(s->xs, a);
-    if (nearest > vector_distance2(s->xs, b) || nearest > vector_distance2(s->xs, c) ||
-        nearest > vector_distance2(s->xs, d))
-        return false;
-    return label(l, s);
+    return nearest_to_first(s->x, s->xs) && label(l, s);
 }
 
 static int by_place(const void *a, const void *b)
