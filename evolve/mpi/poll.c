@@ -2,7 +2,6 @@
  * generations later. A slow rank delays the others only after that many generations. */
 #include "poll.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 struct poll poll_new(const struct team *t, size_t sums, size_t minima)
@@ -10,11 +9,11 @@ struct poll poll_new(const struct team *t, size_t sums, size_t minima)
     struct poll p = {.sums = sums, .minima = minima, .lag = 1};
     for (int ranks = 1; ranks < t->size && ranks < 1 << 30; ranks *= 2)
         p.lag += 2;
-    p.slot = new_array(p.lag, sizeof *p.slot);
+    p.slot = arena_array(&p.memory, p.lag, sizeof *p.slot);
     for (size_t i = 0; i < p.lag; i++)
         for (int k = 0; k < 2; k++) {
-            p.slot[i].sum[k] = new_array(sums, sizeof(double));
-            p.slot[i].least[k] = new_array(minima, sizeof(double));
+            p.slot[i].sum[k] = arena_array(&p.memory, sums, sizeof(double));
+            p.slot[i].least[k] = arena_array(&p.memory, minima, sizeof(double));
         }
     return p;
 }
@@ -39,14 +38,4 @@ const struct poll_slot *poll_count(struct poll *p)
         return NULL;
     p->counted++;
     return s;
-}
-
-void poll_free(struct poll *p)
-{
-    for (size_t i = 0; i < p->lag; i++)
-        for (int k = 0; k < 2; k++) {
-            free(p->slot[i].sum[k]);
-            free(p->slot[i].least[k]);
-        }
-    free(p->slot);
 }

@@ -11,10 +11,11 @@ struct poll {
                  * reduction */
     size_t cast, counted;
     struct poll_slot {
-        double *sum[2];   /* owned: this rank's, and the total */
-        double *least[2]; /* owned: this rank's, and the minimum, on rank 0 only */
+        double *sum[2];   /* this rank's, and the total */
+        double *least[2]; /* this rank's, and the minimum, on rank 0 only */
         MPI_Request request[2];
-    } * slot; /* owned: `lag` slots */
+    } * slot;            /* `lag` slots */
+    struct arena memory; /* owned: of the slots */
 };
 struct poll poll_new(const struct team *t, size_t sums, size_t minima);
 /** Joins the next poll and returns at once. At most p->lag polls may be in flight. */
@@ -22,6 +23,5 @@ void poll_cast(const struct team *t, struct poll *p, const double *sum, const do
 /** Returns the slot of the next poll if all ranks have joined it, otherwise NULL. The slot is valid until the next
  *  poll_cast. */
 const struct poll_slot *poll_count(struct poll *p);
-void poll_free(struct poll *p);
 
 #endif

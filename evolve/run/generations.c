@@ -201,14 +201,6 @@ static void decide(struct loop *l, const struct poll_slot *s)
     rank0_show(&l->rank0, counted(l), s->least[1], s->sum[1][POLL_WORK]);
 }
 
-static bool count_polls(struct loop *l)
-{
-    const struct poll_slot *s = poll_count(&l->poll);
-    if (s)
-        decide(l, s);
-    return s != NULL;
-}
-
 /* Waits for messages of other ranks. */
 static void rest(unsigned *idle)
 {
@@ -266,17 +258,20 @@ bool evolve_islands(const struct call *call, const struct problem *p, const stru
             pass(&l);
             busy = true;
         }
-        busy = count_polls(&l) || busy;
+        const struct poll_slot *result = poll_count(&l.poll);
+        if (result)
+            decide(&l, result);
         rank0_poll(&l.rank0, l.done);
         mail_sweep(&l.mail);
-        idle = busy ? 0 : idle;
-        if (!busy)
+        if (busy || result)
+            idle = 0;
+        else
             rest(&idle);
     }
     out->generation = l.end;
     out->unsaved = !rank0_close(&l.rank0, l.end);
     mail_free(&l.mail);
-    poll_free(&l.poll);
+    arena_free(&l.poll.memory);
     free(l.saving.bytes);
     for (size_t i = 0; i < l.locals; i++)
         free(l.local[i].row);

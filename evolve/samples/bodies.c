@@ -2,7 +2,6 @@
  * iteration from the point above or below. */
 #include "bodies.h"
 
-#include "../../codegen/base/base.h"
 #include "../../runtime/geometry/footpoint-node-normals.h"
 #include "../common/stream.h"
 #include "../common/vec3.h"
@@ -94,10 +93,10 @@ static struct smooth_mesh *room_for(enum smooth_kind kind, size_t nodes, size_t 
 {
     struct smooth_mesh *m = new_array(1, sizeof *m);
     m->kind = kind;
-    m->xyz = new_array(nodes, sizeof *m->xyz);
-    m->exact = new_array(nodes, sizeof *m->exact);
-    m->mean = new_array(nodes, sizeof *m->mean);
-    m->seg = new_array(segments, sizeof *m->seg);
+    m->xyz = arena_array(&m->memory, nodes, sizeof *m->xyz);
+    m->exact = arena_array(&m->memory, nodes, sizeof *m->exact);
+    m->mean = arena_array(&m->memory, nodes, sizeof *m->mean);
+    m->seg = arena_array(&m->memory, segments, sizeof *m->seg);
     return m;
 }
 
@@ -218,12 +217,8 @@ struct smooth_mesh *smooth_mesh_new(enum smooth_kind kind, int n, double jitter,
 
 void smooth_mesh_free(struct smooth_mesh *m)
 {
-    if (!m)
-        return;
-    free(m->xyz);
-    free(m->exact);
-    free(m->mean);
-    free(m->seg);
+    if (m)
+        arena_free(&m->memory);
     free(m);
 }
 

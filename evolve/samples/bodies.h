@@ -2,7 +2,8 @@
 #ifndef FOOTPOINT_BODIES_H
 #define FOOTPOINT_BODIES_H
 
-#include <stddef.h>
+#include "../../codegen/base/base.h"
+
 #include <stdint.h>
 
 enum smooth_kind {
@@ -18,10 +19,11 @@ extern const char *const smooth_name[SMOOTH_KINDS];
 struct smooth_mesh {
     enum smooth_kind kind;
     size_t nodes, segments;
-    double (*xyz)[3];   /* owned; nodes x 3, on the body */
-    double (*exact)[3]; /* owned; nodes x 3, the body's unit normals, outwards or upwards */
-    double (*mean)[3];  /* owned; nodes x 3, the mesh's normals (44) */
-    int (*seg)[4];      /* owned; segments x 4 nodes A, B, C, D, counter-clockwise from outside */
+    struct arena memory; /* owned; it owns: */
+    double (*xyz)[3];    /* nodes x 3, on the body */
+    double (*exact)[3];  /* nodes x 3, the body's unit normals, outwards or upwards */
+    double (*mean)[3];   /* nodes x 3, the mesh's normals (44) */
+    int (*seg)[4];       /* segments x 4 nodes A, B, C, D, counter-clockwise from outside */
 };
 
 /** Computes the body's closest point to a nearby point, foot[3], and the unit normal[3] there. Returns the signed

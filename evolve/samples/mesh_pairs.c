@@ -42,36 +42,27 @@ struct slave {
  * include the face's own nodes and nodes on the opposite side of an element. */
 struct neighbours {
     const struct mesh *mesh; /* not owned */
-    size_t *first;           /* owned; nodes + 1: index in `element` of the node's first element */
-    size_t *element;         /* owned; indices into mesh->element */
-    size_t *last;            /* owned, indexed by node: number of the last face whose neighbour it was, from 1, or 0 */
+    size_t *first;           /* nodes + 1: index in `element` of the node's first element */
+    size_t *element;         /* indices into mesh->element */
+    size_t *last;            /* indexed by node: number of the last face whose neighbour it was, from 1, or 0 */
     size_t face;             /* number of the current face */
 };
 
-static struct neighbours *neighbours_new(const struct mesh *mesh)
+static struct neighbours neighbours_new(struct arena *a, const struct mesh *mesh)
 {
-    struct neighbours *n = new_array(1, sizeof *n);
-    *n = (struct neighbours){.mesh = mesh,
-                             .first = new_array(mesh->nodes + 1, sizeof *n->first),
-                             .last = new_array(mesh->nodes, sizeof *n->last)};
+    struct neighbours n = {.mesh = mesh,
+                           .first = arena_array(a, mesh->nodes + 1, sizeof *n.first),
+                           .last = arena_array(a, mesh->nodes, sizeof *n.last)};
     for (size_t e = 0; e < mesh->elements; e++)
         for (int i = 0; i < mesh->element[e].nodes; i++)
-            n->first[mesh->element[e].node[i]]++;
+            n.first[mesh->element[e].node[i]]++;
     for (size_t node = 0; node < mesh->nodes; node++)
-        n->first[node + 1] += n->first[node];
-    n->element = new_array(n->first[mesh->nodes], sizeof *n->element);
+        n.first[node + 1] += n.first[node];
+    n.element = arena_array(a, n.first[mesh->nodes], sizeof *n.element);
     for (size_t e = mesh->elements; e-- > 0;) /* turns ends into beginnings */
         for (int i = 0; i < mesh->element[e].nodes; i++)
-            n->element[--n->first[mesh->element[e].node[i]]] = e;
+            n.element[--n.first[mesh->element[e].node[i]]] = e;
     return n;
-}
-
-static void neighbours_free(struct neighbours *n)
-{
-    free(n->first);
-    free(n->element);
-    free(n->last);
-    free(n);
 }
 
 /* Finds the neighbours of `face`. */
@@ -180,10 +171,11 @@ static void remove_repeated(struct pairs *found)
 
 static void find_pairs(const struct scene *scene, const struct mesh *mesh, struct pairs *found)
 {
-    struct neighbours *around = neighbours_new(mesh);
+    struct arena memory = {NULL};
+    struct neighbours around = neighbours_new(&memory, mesh);
     for (size_t i = 0; i < mesh->pairs; i++)
-        search(scene, mesh, &mesh->pair[i], around, found);
-    neighbours_free(around);
+        search(scene, mesh, &mesh->pair[i], &around, found);
+    arena_free(&memory);
     remove_repeated(found);
 }
 

@@ -221,7 +221,7 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
     const bool good = measure_genomes(a->program, 2, heldout, most, &m, d);
     for (size_t g = 0; g < a->program->genomes && good; g++)
         add_errors(&a->program->genome[g], a, &m, 2 * g);
-    measured_free(&m);
+    arena_free(&m.memory);
     if (!good) {
         outfile_discard(&f);
         return false;
@@ -312,7 +312,7 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
         good = measure_genomes(f, 1, heldout, samples, &m, d);
     if (good)
         add_member_errors(f, &m);
-    measured_free(&m);
+    arena_free(&m.memory);
     if (good)
         genome_print_needed(f, out.stream);
     else

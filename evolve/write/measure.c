@@ -37,23 +37,22 @@ static bool measure_part(const struct genome_file *f, struct measured *m, int pa
                          size_t most, size_t outs, struct region_survey *region, struct diag *d)
 {
     struct sampler *p = heldout->part[part];
-    struct errors *found = m->found[part] = new_array(m->n, sizeof *found);
+    struct errors *found = m->found[part] = arena_array(&m->memory, m->n, sizeof *found);
     struct measurement all = measurement_open(f, m->t, m->output, m->n, p->count);
-    double *worst = new_array(m->n, sizeof *worst);
+    double *worst = arena_array(&m->memory, m->n, sizeof *worst);
     const bool good = take_part(&all, p, most, p->part == PART_HELDOUT_EVEN ? NULL : region, d);
     for (size_t i = 0; i < m->n && good && outs == 2 && climb_can(p) && most == SIZE_MAX; i += outs)
         climb(p, &all, i, outs, worst + i, NULL, NULL);
     measurement_close(&all, found);
     for (size_t i = 0; i < m->n; i++)
         found[i].climbed = worst[i];
-    free(worst);
     return good;
 }
 
 static void list_outputs(const struct genome_file *f, size_t outs, struct measured *m)
 {
-    m->t = new_array(2 * f->genomes, sizeof *m->t);
-    m->output = new_array(2 * f->genomes, sizeof *m->output);
+    m->t = arena_array(&m->memory, 2 * f->genomes, sizeof *m->t);
+    m->output = arena_array(&m->memory, 2 * f->genomes, sizeof *m->output);
     for (size_t g = 0; g < f->genomes; g++)
         for (size_t k = 0; k < outs && f->genome[g].outs == outs; k++) {
             const struct genome_expr *e = &f->genome[g].out[k];
@@ -76,14 +75,6 @@ bool measure_genomes(struct genome_file *f, size_t outs, const struct heldout *h
     return good;
 }
 
-void measured_free(struct measured *m)
-{
-    free(m->t);
-    free(m->output);
-    for (int part = 0; part < HELDOUT_PARTS; part++)
-        free(m->found[part]);
-}
-
 bool measure_climbed(const struct genome_file *f, struct sampler *p, bool single,
                      void (*found)(void *to, const struct sample *s), void *to, struct diag *d)
 {
@@ -95,8 +86,7 @@ bool measure_climbed(const struct genome_file *f, struct sampler *p, bool single
     const bool good = take_part(&all, p, SIZE_MAX, NULL, d);
     for (size_t i = 0; i < m.n && good; i += 2)
         climb(p, &all, i, 2, worst, found, to);
-    m.found[0] = new_array(m.n, sizeof *m.found[0]);
-    measurement_close(&all, m.found[0]);
-    measured_free(&m);
+    measurement_close(&all, arena_array(&m.memory, m.n, sizeof(struct errors)));
+    arena_free(&m.memory);
     return good;
 }

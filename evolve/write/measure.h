@@ -12,19 +12,19 @@ bool heldout_piece(struct sampler *p, size_t most, size_t *at, struct sample *s,
 
 /** Errors of genomes on the held-out parts. */
 struct measured {
-    struct genes *t; /* owned; the outputs, genome by genome; genes not owned */
-    int *output;     /* owned; 0 is xi, 1 is eta */
+    struct arena memory; /* owned; it owns: */
+    struct genes *t;     /* the outputs, genome by genome; genes not owned */
+    int *output;         /* 0 is xi, 1 is eta */
     size_t n;
-    struct errors *found[HELDOUT_PARTS]; /* owned; indexed as t; NULL if the scene lacks the part */
+    struct errors *found[HELDOUT_PARTS]; /* indexed as t; NULL if the scene lacks the part */
 };
 
 /** Measures all genomes of a file that have `outs` outputs and adds the file's region.  Climbs from the worst samples
  *  of each genome of two outputs (climb.h) if `most` is SIZE_MAX.
  *  @param[in] most  largest number of samples of a part
- *  @return false with *d filled; *m must be freed in either case */
+ *  @return false with *d filled; m->memory must be freed in either case */
 bool measure_genomes(struct genome_file *f, size_t outs, const struct heldout *heldout, size_t most, struct measured *m,
                      struct diag *d);
-void measured_free(struct measured *m);
 
 /** Climbs from the worst samples of each genome of two outputs, as above.
  *  @param[in] single     errors are those in float
