@@ -58,10 +58,8 @@ static void take_log(struct rank0 *k, size_t generation, bool wait)
 {
     const size_t every = k->call->options->log_every;
     while (k->logged < generation) {
-        if (!k->rows.active) {
-            if (k->log.stream && (k->logged + 1) % every == 0)
-                gather_start(&k->rows, TAG_LOG, k->islands->owner, islands_count(k->islands));
-        }
+        if (!k->rows.active && k->log.stream && (k->logged + 1) % every == 0)
+            gather_start(&k->rows, TAG_LOG, k->islands->owner, islands_count(k->islands));
         while (k->rows.active)
             if (!take_row(k, wait))
                 return;

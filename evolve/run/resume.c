@@ -4,26 +4,21 @@
 #include "../../codegen/base/outfile.h"
 #include "../mpi/shared_file.h"
 
+#include <endian.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-/* Describes the machine, because states are its raw bytes. */
-static const char *machine(void)
-{
-    const int one = 1;
-    unsigned char first;
-    memcpy(&first, &one, 1);
-    return first ? "little-endian" : "big-endian";
-}
+/* The machine, because states are its raw bytes. */
+static const char *const machine = BYTE_ORDER == LITTLE_ENDIAN ? "little-endian" : "big-endian";
 
 void resume_facts(char text[FACTS], const char *scene_sha256, const char *frames_sha256, size_t generation,
                   const struct log_mark *mark)
 {
     snprintf(text, FACTS,
              "version %s\nmachine %s\nscene-sha256 %s\nframes-sha256 %s\ngeneration %zu\nlog-mark %" PRIu64 " %s\n",
-             FOOTPOINT_VERSION, machine(), scene_sha256, frames_sha256, generation, mark->bytes, mark->sha256);
+             FOOTPOINT_VERSION, machine, scene_sha256, frames_sha256, generation, mark->bytes, mark->sha256);
 }
 
 void saving_prepare(struct saving *s, size_t start_bytes)
@@ -106,8 +101,8 @@ static bool known(struct resume *r, struct diag *d)
     char value[128], rest;
     if (!checkpoint_fact(r->file.facts, "version", value, sizeof value) || strcmp(value, FOOTPOINT_VERSION) != 0)
         return diag_at(d, r->path, 0, 0, "checkpoint has version %s; this program has %s", value, FOOTPOINT_VERSION);
-    if (!checkpoint_fact(r->file.facts, "machine", value, sizeof value) || strcmp(value, machine()) != 0)
-        return diag_at(d, r->path, 0, 0, "checkpoint is from a %s machine; this machine is %s", value, machine());
+    if (!checkpoint_fact(r->file.facts, "machine", value, sizeof value) || strcmp(value, machine) != 0)
+        return diag_at(d, r->path, 0, 0, "checkpoint is from a %s machine; this machine is %s", value, machine);
     if (!checkpoint_fact(r->file.facts, "generation", value, sizeof value) ||
         sscanf(value, "%zu%c", &r->generation, &rest) != 1 ||
         !checkpoint_fact(r->file.facts, "log-mark", value, sizeof value) ||
@@ -133,13 +128,19 @@ bool resume_read(struct resume *r, const struct team *t, const char *path, struc
     return r->start && team_agree(t, known(r, d), d);
 }
 
+/* Returns false with *d if a digest of the checkpoint is not this one. */
+static bool same_digest(const struct resume *r, const char *key, const char *sha256, const char *other, struct diag *d)
+{
+    char stored[65] = "";
+    checkpoint_fact(r->file.facts, key, stored, sizeof stored);
+    return strcmp(stored, sha256) == 0 ||
+           diag_at(d, r->path, 0, 0, "checkpoint belongs to %s: SHA-256 %.12s..., not %.12s...", other, stored, sha256);
+}
+
 bool resume_suits(const struct resume *r, const char *scene_sha256, size_t generations, struct diag *d)
 {
-    char sha256[65] = "";
-    checkpoint_fact(r->file.facts, "scene-sha256", sha256, sizeof sha256);
-    if (strcmp(sha256, scene_sha256) != 0)
-        return diag_at(d, r->path, 0, 0, "checkpoint belongs to another scene: SHA-256 %.12s..., not %.12s...", sha256,
-                       scene_sha256);
+    if (!same_digest(r, "scene-sha256", scene_sha256, "another scene", d))
+        return false;
     if (generations >= r->generation)
         return true;
     diag_at(d, r->path, 0, 0, "checkpoint is at generation %zu, beyond --generations %zu", r->generation, generations);
@@ -149,11 +150,7 @@ bool resume_suits(const struct resume *r, const char *scene_sha256, size_t gener
 
 bool resume_suits_frames(const struct resume *r, const char *frames_sha256, struct diag *d)
 {
-    char sha256[65] = "";
-    checkpoint_fact(r->file.facts, "frames-sha256", sha256, sizeof sha256);
-    return strcmp(sha256, frames_sha256) == 0 ||
-           diag_at(d, r->path, 0, 0, "checkpoint belongs to other frames: SHA-256 %.12s..., not %.12s...", sha256,
-                   frames_sha256);
+    return same_digest(r, "frames-sha256", frames_sha256, "other frames", d);
 }
 
 bool resume_islands(const struct resume *r, const struct team *t, const struct islands *s, struct diag *d)

@@ -17,18 +17,6 @@ struct beside {
     struct objective *judge;       /* owned */
 };
 
-static bool choose_samples(struct beside *b, struct sampler *p, struct diag *d)
-{
-    enum { MOST = 20000 };
-    const size_t stride = (p->count + MOST - 1) / MOST, n = p->count / stride;
-    bool good = true;
-    b->sample = new_array(n, sizeof *b->sample);
-    for (size_t i = 0; i < n && good; i++)
-        good = sampler_take(p, i * stride, &b->sample[i], d);
-    b->table = frame_columns(b->shipped->program, b->sample, n);
-    return good;
-}
-
 struct archive *run_shipped(const struct call *call, const struct problem *p)
 {
     char path[1024];
@@ -47,10 +35,16 @@ void run_measure_shipped(const struct problem *p, struct archive *shipped)
     objective_free(training);
 }
 
-static bool measure_beside(const struct problem *p, const struct heldout *heldout, struct beside *b, struct diag *d)
+static bool measure_beside(struct beside *b, enum scene_norm norm, struct sampler *p, struct diag *d)
 {
-    const bool good = choose_samples(b, heldout->part[0], d);
-    b->judge = objective_new(b->shipped->program, &b->table, p->scene->norm);
+    enum { MOST = 20000 };
+    const size_t stride = (p->count + MOST - 1) / MOST, n = p->count / stride;
+    bool good = true;
+    b->sample = new_array(n, sizeof *b->sample);
+    for (size_t i = 0; i < n && good; i++)
+        good = sampler_take(p, i * stride, &b->sample[i], d);
+    b->table = frame_columns(b->shipped->program, b->sample, n);
+    b->judge = objective_new(b->shipped->program, &b->table, norm);
     b->judge->decimal = true;
     return good;
 }
@@ -165,7 +159,7 @@ bool run_verdict(const struct call *call, const struct problem *p, const struct 
     struct beside b = {.shipped = shipped};
     if (!shipped)
         return true;
-    bool good = measure_beside(p, heldout, &b, d);
+    bool good = measure_beside(&b, p->scene->norm, heldout->part[0], d);
     if (good) {
         struct memory *m = memory_open();
         if (call->options->generations > 0)
