@@ -1,6 +1,6 @@
-/* Samples on Gregory and Bezier patches; see patch_samples.h. The vectors of a sample are corners and node normals. */
-#include "patch_samples.h"
-
+/* Samples on Gregory and Bezier patches: the paper's data set of section 7.2, configurations of its lattice with random node
+ * normals; and meshes of smooth bodies, as contact searches on smoothed surfaces meet them. The vectors of a sample are
+ * corners and node normals. */
 #include "../common/stream.h"
 #include "../common/vec3.h"
 #include "../surface/foot_patch.h"
@@ -50,32 +50,36 @@ static void draw_normals(gsl_rng *stream, double tangent, struct sample *s)
     }
 }
 
-bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part part, struct sample_set *set,
-                             struct lattice_gregory_count *count, struct diag *d)
+static enum patch_kind kind_of(const struct scene *scene)
 {
+    return surface_find(scene->segment)->patch;
+}
+
+/* Appends the part's samples on configurations of the lattice's grid, each with several sets of normals, ordered by
+ * configuration, then by set: those whose foot points on the patch and on the facet lie in the scene's box. */
+static bool on_the_grid(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
+{
+    const size_t sets = (size_t)scene->lattice.normal_sets;
+    struct scene of_facets = *scene;
     struct sample_set facets = {0};
     double lo[2], hi[2];
-    if (!lattice_grid(l->scene, part, &facets, d)) {
-        sample_set_free(&facets);
+    of_facets.training = (scene->training + sets - 1) / sets;
+    if (!lattice_grid(&of_facets, part, &facets, d))
         return false;
-    }
+    const size_t most = part == PART_HELDOUT ? (scene->heldout + sets - 1) / sets : facets.n;
     gsl_rng *stream = stream_new();
-    const size_t configurations = l->configurations ? GSL_MIN(l->configurations, facets.n) : facets.n;
-    const size_t sets = (size_t)l->normal_sets, before = set->n;
-    scene_box(l->scene, lo, hi);
-    for (size_t i = 0; i < configurations; i++)
+    scene_box(scene, lo, hi);
+    for (size_t i = 0; i < facets.n && i < most; i++)
         for (size_t k = 0; k < sets; k++) {
             struct sample s = facets.s[i];
-            stream_key(stream, l->scene->seed, (uint64_t)part, i, 1 + k);
-            draw_normals(stream, l->tangent, &s);
-            if (foot_patch(l->kind, &s, lo, hi, (double[]){s.xi, s.eta}))
+            stream_key(stream, scene->seed, (uint64_t)part, i, 1 + k);
+            draw_normals(stream, scene->lattice.tilt, &s);
+            if (foot_patch(kind_of(scene), &s, lo, hi, (double[]){s.xi, s.eta}))
                 sample_set_add(set, &s);
         }
-    if (count)
-        *count = (struct lattice_gregory_count){configurations, configurations * sets, set->n - before};
     gsl_rng_free(stream);
     sample_set_free(&facets);
-    return true;
+    return set->n > 0 || diag_at(d, scene->path, 0, 0, "no sample's foot point lies in the box");
 }
 
 /* ---- meshes of smooth bodies ---- */
@@ -139,45 +143,7 @@ void smooth_free(struct smooth_mesh **mesh)
     free(mesh);
 }
 
-void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct sample_set *set)
-{
-    struct smooth_mesh **mesh = smooth_new(smooth->seed);
-    gsl_rng *stream = stream_new();
-    for (size_t i = 0; i < count; i++) {
-        struct sample s = {0};
-        stream_key(stream, smooth->seed, (uint64_t)part, i, 0);
-        while (!smooth_draw(stream, mesh, smooth->gap, smooth->kind, &s))
-            continue;
-        sample_set_add(set, &s);
-    }
-    smooth_free(mesh);
-    gsl_rng_free(stream);
-}
-
 /* ---- parts of a scene ---- */
-
-/* Returns how many configurations make `samples` samples. */
-static size_t configurations(const struct lattice *l, size_t samples)
-{
-    const size_t sets = (size_t)l->normal_sets;
-    return (samples + sets - 1) / sets;
-}
-
-static enum patch_kind kind_of(const struct scene *scene)
-{
-    return surface_find(scene->segment)->patch;
-}
-
-static bool on_the_grid(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
-{
-    struct scene facets = *scene;
-    facets.training = configurations(&scene->lattice, scene->training);
-    const struct lattice_gregory plan = {&facets,
-                                         part == PART_HELDOUT ? configurations(&scene->lattice, scene->heldout) : 0,
-                                         scene->lattice.normal_sets, scene->lattice.tilt, kind_of(scene)};
-    return lattice_gregory_samples(&plan, part, set, NULL, d) &&
-           (set->n > 0 || diag_at(d, scene->path, 0, 0, "no sample's foot point lies in the box"));
-}
 
 /* Draws a configuration off the grid, with one set of normals. */
 static bool draw_facet(const struct sampler *p, struct sample *s)

@@ -5,9 +5,9 @@
  * prepared patches. Errors pool |xi - xi_ref| and |eta - eta_ref|. */
 #include "../../codegen/base/base.h"
 #include "../../evolve/samples/bodies.h"
-#include "../../evolve/samples/patch_samples.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
 #include "../support/error_stats.h"
+#include "../support/smooth_bodies.h"
 #include "bench_gregory.h"
 
 #include <math.h>
@@ -91,10 +91,10 @@ static void bench_set(const char *name, const struct sample_set *set, enum rival
 
 /* ---- distance from the body ---- */
 
-enum surface { FACET, BEZIER, GREGORY, GREGORY_EXACT, SURFACES };
+enum smooth_surface { FACET, BEZIER, GREGORY, GREGORY_EXACT, SURFACES };
 static const char *const surface_name[SURFACES] = {"facets", "bezier (44)", "gregory (44)", "gregory"};
 
-static void point_of(enum surface surface, const struct smooth_mesh *m, size_t segment, double xi, double eta,
+static void point_of(enum smooth_surface surface, const struct smooth_mesh *m, size_t segment, double xi, double eta,
                      double r[3])
 {
     struct footpoint_gregory patch;
@@ -124,7 +124,7 @@ static void compare_surfaces(enum smooth_kind kind, int n, double jitter)
         for (size_t i = 0; i < m->segments; i++)
             for (size_t k = 0; k < POINTS; k++) {
                 double r[3], foot[3], normal[3];
-                point_of((enum surface)surface, m, i, 2.0 * (double)(k / (GRID + 1)) / GRID - 1,
+                point_of((enum smooth_surface)surface, m, i, 2.0 * (double)(k / (GRID + 1)) / GRID - 1,
                          2.0 * (double)(k % (GRID + 1)) / GRID - 1, r);
                 error[i * POINTS + k] = fabs(smooth_project(kind, r, foot, normal));
             }
@@ -148,12 +148,20 @@ int main(void)
         compare_surfaces((enum smooth_kind)kind, size[kind], 0.2);
     }
     struct scene *scene = scene_read(".", "paper-quad4", &d);
-    if (!scene || !lattice_gregory_samples(&(struct lattice_gregory){scene, SAMPLES / 16, 20, 0.2, PATCH_GREGORY},
-                                           PART_HELDOUT, &paper, NULL, &d)) {
+    const struct scene smooth = smooth_bodies("gregory", 1, SAMPLES);
+    if (scene) {
+        enum { SETS = 20 };
+        scene->segment = segment_find("gregory");
+        scene->lattice.normal_sets = SETS;
+        scene->lattice.tilt = 0.2;
+        scene->training *= SETS;
+        scene->heldout = SAMPLES / 16 * SETS;
+    }
+    if (!scene || !scene_samples(scene, PART_HELDOUT, &paper, &d) ||
+        !scene_samples(&smooth, PART_HELDOUT, &bodies, &d)) {
         fprintf(stderr, "%s\n", d.text);
         return (int)d.code;
     }
-    smooth_samples(&(struct smooth){1, 0.2, PATCH_GREGORY}, PART_HELDOUT, SAMPLES, &bodies);
     puts("set,samples,method,ns,ns_ready,mean,p99,max,failures");
     bench_set("paper", &paper, RIVAL_QUARTER);
     bench_set("bodies", &bodies, RIVAL_CENTRE);

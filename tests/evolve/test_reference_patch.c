@@ -2,9 +2,10 @@
  * worse than a scene's; then the samples made with it. */
 #include "../../codegen/base/base.h"
 #include "../../evolve/common/stream.h"
-#include "../../evolve/samples/patch_samples.h"
+#include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/foot_patch.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
+#include "../support/smooth_bodies.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -219,15 +220,13 @@ static void lattice_labels_are_certain(void **state)
     struct scene *scene = scene_read(".", "paper-quad4", &d);
     assert_non_null(scene);
     scene->lattice.xy.step = 0.5; /* a coarse lattice, for speed */
-    scene->training = 500;
-    const struct lattice_gregory plan = {scene, 100, 20, 0.2, PATCH_GREGORY};
-    struct lattice_gregory_count count;
+    scene->segment = segment_find("gregory");
+    scene->lattice.normal_sets = 20;
+    scene->lattice.tilt = 0.2;
+    scene->training = 2000;
     struct sample_set set = {0}, again = {0};
-    assert_true(lattice_gregory_samples(&plan, PART_TRAINING, &set, &count, &d));
-    assert_true(lattice_gregory_samples(&plan, PART_TRAINING, &again, NULL, &d));
-    assert_int_equal(count.configurations, 100);
-    assert_int_equal(count.drawn, 2000);
-    assert_true(count.kept == set.n && set.n == again.n && set.n > 1600);
+    assert_true(scene_samples(scene, PART_TRAINING, &set, &d) && scene_samples(scene, PART_TRAINING, &again, &d));
+    assert_true(set.n == again.n && set.n > 1600 && set.n <= 2000);
     same_samples(&set, &again, set.n);
     double steepest = 0;
     for (size_t i = 0; i < set.n; i++) {
@@ -253,11 +252,12 @@ static void lattice_labels_are_certain(void **state)
 static void body_labels_are_certain(void **state)
 {
     (void)state;
-    const struct smooth plan = {3, 0.2, PATCH_GREGORY};
+    struct scene scene = smooth_bodies("gregory", 3, 2000);
     struct sample_set training = {0}, again = {0}, heldout = {0};
-    smooth_samples(&plan, PART_TRAINING, 2000, &training);
-    smooth_samples(&plan, PART_TRAINING, 1000, &again);
-    smooth_samples(&plan, PART_HELDOUT, 1000, &heldout);
+    struct diag d;
+    assert_true(scene_samples(&scene, PART_TRAINING, &training, &d));
+    scene.training = scene.heldout = 1000;
+    assert_true(scene_samples(&scene, PART_TRAINING, &again, &d) && scene_samples(&scene, PART_HELDOUT, &heldout, &d));
     same_samples(&training, &again, 1000);
     assert_memory_not_equal(training.s, heldout.s, sizeof *training.s);
     for (size_t i = 0; i < training.n; i++) {

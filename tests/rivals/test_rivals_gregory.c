@@ -1,10 +1,10 @@
 /* The hand-written searches on Gregory patches use the same surface as the runtime and find the reference's foot
  * points. */
 #include "../../codegen/base/base.h"
-#include "../../evolve/samples/patch_samples.h"
 #include "rivals_gregory.h"
 
 #include "../../runtime/geometry/footpoint-gregory-geometry.h"
+#include "../support/smooth_bodies.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -20,8 +20,9 @@ static struct sample_set samples;
 static int setup(void **state)
 {
     (void)state;
-    smooth_samples(&(struct smooth){5, 0.2, PATCH_GREGORY}, PART_TRAINING, 2000, &samples);
-    return 0;
+    const struct scene scene = smooth_bodies("gregory", 5, 2000);
+    struct diag d;
+    return scene_samples(&scene, PART_TRAINING, &samples, &d) ? 0 : -1;
 }
 
 static int teardown(void **state)
@@ -68,10 +69,12 @@ static void jets_match_the_runtime(void **state)
 /* Jets of Bezier patches are right, and Newton's iteration ends at the certain foot point. */
 static void bezier_patches_match_the_runtime(void **state)
 {
+    const struct scene scene = smooth_bodies("bezier", 6, 1000);
+    struct diag d;
     struct sample_set set = {0};
     size_t converged = 0;
     (void)state;
-    smooth_samples(&(struct smooth){6, 0.2, PATCH_BEZIER}, PART_TRAINING, 1000, &set);
+    assert_true(scene_samples(&scene, PART_TRAINING, &set, &d));
     for (size_t i = 0; i < set.n; i++) {
         const struct sample *s = &set.s[i];
         const double(*x)[3] = (const double(*)[3])s->x, (*n)[3] = x + 4;
