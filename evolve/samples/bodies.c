@@ -177,11 +177,6 @@ static struct smooth_mesh *square(enum smooth_kind kind, int n)
     return m;
 }
 
-static double usual_width(const struct smooth_mesh *m, int n)
-{
-    return m->kind == SMOOTH_SPHERE ? M_PI_2 / n : m->kind == SMOOTH_TORUS ? 2 * M_PI * TUBE / n : 2.0 / n;
-}
-
 /* Moves nodes by random vectors and projects them onto the body. Nodes of a graph move in its plane and stay on its
  * border. */
 static void place_nodes(struct smooth_mesh *m, double most, uint64_t seed)
@@ -210,7 +205,8 @@ static void place_nodes(struct smooth_mesh *m, double most, uint64_t seed)
 struct smooth_mesh *smooth_mesh_new(enum smooth_kind kind, int n, double jitter, uint64_t seed)
 {
     struct smooth_mesh *m = kind == SMOOTH_SPHERE ? sphere(n) : kind == SMOOTH_TORUS ? torus(n) : square(kind, n);
-    place_nodes(m, jitter * usual_width(m, n), seed);
+    const double width = kind == SMOOTH_SPHERE ? M_PI_2 / n : kind == SMOOTH_TORUS ? 2 * M_PI * TUBE / n : 2.0 / n;
+    place_nodes(m, jitter * width, seed);
     footpoint_node_normals(m->nodes, m->xyz[0], m->segments, m->seg[0], m->mean[0]);
     return m;
 }

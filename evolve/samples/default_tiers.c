@@ -1,42 +1,31 @@
 /* Defaults that depend on the segments' kind; see default_tiers.h. */
 #include "default_tiers.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
+#include "../../codegen/base/text.h"
 
-/* A tier with two terminals, one per output. */
-struct offer {
-    const char *tier, *terminal[2];
-    size_t max_length;
-};
+#include <math.h>
 
 enum { OFFERS = 3 };
 
+/* Frames, and tiers of one gene each: their names, and their values' names without _xi and _eta. */
 static const struct {
     const char *frame;
     bool from_corner;
-    struct offer offer[OFFERS];
-} follows[] = {[VARY_RECTANGLES] = {"affine", true, {{"exact", {"rectangle_xi", "rectangle_eta"}, 1}}},
-               [VARY_PARALLELOGRAMS] = {"affine", true, {{"exact", {"parallelogram_xi", "parallelogram_eta"}, 1}}},
-               [VARY_PLANE] = {"plane",
-                               false,
-                               {{"fast", {"fast_xi", "fast_eta"}, 1},
-                                {"coarse", {"coarse_xi", "coarse_eta"}, 1},
-                                {"exact", {"exact_xi", "exact_eta"}, 1}}}};
+    const char *offer[OFFERS][2];
+} follows[] = {[VARY_RECTANGLES] = {"affine", true, {{"exact", "rectangle"}}},
+               [VARY_PARALLELOGRAMS] = {"affine", true, {{"exact", "parallelogram"}}},
+               [VARY_PLANE] = {"plane", false, {{"fast", "fast"}, {"coarse", "coarse"}, {"exact", "exact"}}}};
 
-static char *copy(const char *text)
-{
-    return new_text(text, strlen(text));
-}
-
-static void add_tier(struct scene *s, const char *frame, const struct offer *o)
+static void add_tier(struct scene *s, const char *frame, const char *const offer[2])
 {
     struct tier *t = &s->tier[s->tiers++];
-    *t = (struct tier){.name = copy(o->tier), .frame = copy(frame), .terminals = 2, .max_length = o->max_length};
-    t->terminal = new_array(t->terminals, sizeof *t->terminal);
-    for (int k = 0; k < 2; k++)
-        t->terminal[k] = copy(o->terminal[k]);
+    *t = (struct tier){.name = new_format("%s", offer[0]),
+                       .frame = new_format("%s", frame),
+                       .terminals = 2,
+                       .terminal = new_array(2, sizeof *t->terminal),
+                       .max_length = 1};
+    t->terminal[0] = new_format("%s_xi", offer[1]);
+    t->terminal[1] = new_format("%s_eta", offer[1]);
 }
 
 /* Copies the tiers of the kind's own scene. */
@@ -62,8 +51,8 @@ bool scene_default_tiers(const char *root, struct scene *s, enum variation_kind 
         return false;
     if (own)
         s->tier = new_array(OFFERS, sizeof *s->tier);
-    for (int i = 0; own && i < OFFERS && follows[kind].offer[i].tier; i++)
-        add_tier(s, follows[kind].frame, &follows[kind].offer[i]);
+    for (int i = 0; own && i < OFFERS && follows[kind].offer[i][0]; i++)
+        add_tier(s, follows[kind].frame, follows[kind].offer[i]);
     if (isnan(s->reference[0]))
         scene_choose_reference(s, own && follows[kind].from_corner);
     return true;

@@ -179,12 +179,6 @@ static void find_pairs(const struct scene *scene, const struct mesh *mesh, struc
     remove_repeated(found);
 }
 
-/* Returns the least |gap| to draw. The distance may be less than ten times 1e-4 of an edge, and an edge may be 0. */
-static double least_gap(double edge, double distance)
-{
-    return edge > 0 ? fmin(1e-4 * edge, 0.1 * distance) : 1e-4 * distance;
-}
-
 /* Draws a slave node over a face, both at random. */
 static bool draw_pair(const struct sampler *sampler, struct sample *s)
 {
@@ -194,8 +188,10 @@ static bool draw_pair(const struct sampler *sampler, struct sample *s)
     if (p->masters == 0)
         return false;
     set_nodes(mesh, &p->master[gsl_rng_uniform_int(sampler->stream, p->masters)], s);
-    const double edge = sample_shortest_edge(s, scene->segment->corners);
-    if (!place_slave(sampler->stream, scene, least_gap(edge, scene->mesh.distance), scene->mesh.distance, s))
+    const double edge = sample_shortest_edge(s, scene->segment->corners), most = scene->mesh.distance;
+    /* The distance may be less than ten times 1e-4 of an edge, and an edge may be 0. */
+    const double least = edge > 0 ? fmin(1e-4 * edge, 0.1 * most) : 1e-4 * most;
+    if (!place_slave(sampler->stream, scene, least, most, s))
         return false;
     sample_order(s, scene->order);
     return true;

@@ -50,15 +50,11 @@ static void draw_normals(gsl_rng *stream, double tangent, struct sample *s)
     }
 }
 
-static enum patch_kind kind_of(const struct scene *scene)
-{
-    return surface_find(scene->segment)->patch;
-}
-
 /* Appends the part's samples on configurations of the lattice's grid, each with several sets of normals, ordered by
  * configuration, then by set: those whose foot points on the patch and on the facet lie in the scene's box. */
 static bool on_the_grid(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
 {
+    const struct surface *f = surface_find(scene->segment);
     const size_t sets = (size_t)scene->lattice.normal_sets;
     struct scene of_facets = *scene;
     struct sample_set facets = {0};
@@ -74,7 +70,7 @@ static bool on_the_grid(const struct scene *scene, enum sample_part part, struct
             struct sample s = facets.s[i];
             stream_key(stream, scene->seed, (uint64_t)part, i, 1 + k);
             draw_normals(stream, scene->lattice.tilt, &s);
-            if (foot_patch(kind_of(scene), &s, lo, hi, (double[]){s.xi, s.eta}))
+            if (f->foot(f, &s, lo, hi, (double[]){s.xi, s.eta}))
                 sample_set_add(set, &s);
         }
     gsl_rng_free(stream);
@@ -92,17 +88,17 @@ static const double jitter = 0.2;
 /* Draws a body, one of its meshes, a segment, and a slave node over it, with the mesh's node normals. The foot point is
  * the patch's certain closest point. Returns false, to be drawn again, if another point is nearer or the search cannot
  * decide. */
-static bool smooth_draw(gsl_rng *stream, struct smooth_mesh *const *mesh, double gap, enum patch_kind kind,
-                        struct sample *s)
+static bool draw_body(const struct sampler *p, struct sample *s)
 {
-    const struct smooth_mesh *m = mesh[gsl_rng_uniform_int(stream, MESHES)];
+    gsl_rng *stream = p->stream;
+    const struct smooth_mesh *m = p->body[gsl_rng_uniform_int(stream, MESHES)];
     const double xi = gsl_ran_flat(stream, -1, 1), eta = gsl_ran_flat(stream, -1, 1);
     struct footpoint_gregory patch;
     struct stationary closest;
     double r[3], n[3];
     smooth_segment(m, gsl_rng_uniform_int(stream, m->segments), m->mean, s->x, s->x + PATCH_NORMALS);
-    const double height = gap * sample_shortest_edge(s, 4) * gsl_ran_flat(stream, -1, 1);
-    if (patch_points(kind, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK ||
+    const double height = p->scene->shapes.gap * sample_shortest_edge(s, 4) * gsl_ran_flat(stream, -1, 1);
+    if (patch_points(surface_find(p->scene->segment)->patch, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK ||
         footpoint_gregory_normal(&patch, xi, eta, n) != FOOTPOINT_OK)
         return false;
     footpoint_gregory_position(&patch, xi, eta, r);
@@ -116,15 +112,6 @@ static bool smooth_draw(gsl_rng *stream, struct smooth_mesh *const *mesh, double
     s->xi = closest.xi;
     s->eta = closest.eta;
     return footpoint_gregory_gap(&patch, s->xs, s->xi, s->eta, &s->gap) == FOOTPOINT_OK;
-}
-
-static size_t smooth_drawn(char line[DRAWN_LINES][DRAWN_LENGTH])
-{
-    size_t length = (size_t)snprintf(line[0], DRAWN_LENGTH, "any segment of any of %d meshes of", (int)MESHES);
-    for (int k = 0; k < SMOOTH_KINDS; k++)
-        length += (size_t)snprintf(line[0] + length, DRAWN_LENGTH - length, "%s %s", k > 0 ? "," : "", smooth_name[k]);
-    snprintf(line[0] + length, DRAWN_LENGTH - length, ", coarse to fine; xi, eta and gap uniform");
-    return 1;
 }
 
 static struct smooth_mesh **smooth_new(uint64_t seed)
@@ -148,28 +135,29 @@ void smooth_free(struct smooth_mesh **mesh)
 /* Draws a configuration off the grid, with one set of normals. */
 static bool draw_facet(const struct sampler *p, struct sample *s)
 {
+    const struct surface *f = surface_find(p->scene->segment);
     double lo[2], hi[2];
     if (!lattice_draw(p, s))
         return false;
     draw_normals(p->stream, p->scene->lattice.tilt, s);
     scene_box(p->scene, lo, hi);
-    return foot_patch(kind_of(p->scene), s, lo, hi, (double[]){s->xi, s->eta});
-}
-
-static bool draw_body(const struct sampler *p, struct sample *s)
-{
-    return smooth_draw(p->stream, p->body, p->scene->shapes.gap, kind_of(p->scene), s);
+    return f->foot(f, s, lo, hi, (double[]){s->xi, s->eta});
 }
 
 size_t patches_drawn(const struct sampler *p, char line[DRAWN_LINES][DRAWN_LENGTH])
 {
-    if (p->scene->source != SOURCE_LATTICE)
-        return smooth_drawn(line);
-    const size_t lines = lattice_drawn(p, line);
-    snprintf(line[lines], DRAWN_LENGTH,
-             "normals at each corner: tilt uniform in a disc, %d sets a configuration of the grid",
-             p->scene->lattice.normal_sets);
-    return lines + 1;
+    if (p->scene->source == SOURCE_LATTICE) {
+        const size_t lines = lattice_drawn(p, line);
+        snprintf(line[lines], DRAWN_LENGTH,
+                 "normals at each corner: tilt uniform in a disc, %d sets a configuration of the grid",
+                 p->scene->lattice.normal_sets);
+        return lines + 1;
+    }
+    size_t length = (size_t)snprintf(line[0], DRAWN_LENGTH, "any segment of any of %d meshes of", (int)MESHES);
+    for (int k = 0; k < SMOOTH_KINDS; k++)
+        length += (size_t)snprintf(line[0] + length, DRAWN_LENGTH - length, "%s %s", k > 0 ? "," : "", smooth_name[k]);
+    snprintf(line[0] + length, DRAWN_LENGTH - length, ", coarse to fine; xi, eta and gap uniform");
+    return 1;
 }
 
 bool patches_prepare(struct sampler *p, struct diag *d)

@@ -17,17 +17,9 @@ static bool draw_corners(const struct surface *f, gsl_rng *stream, const struct 
     double corner[4][3];
     if (!draw_quad(surface_find(segment_find("quad4")), stream, shapes, corner))
         return false;
-    memcpy(x[0], corner[0], sizeof corner[0]);
-    memcpy(x[1], corner[1], sizeof corner[1]);
-    memcpy(x[2], corner[f->triangle ? 3 : 2], sizeof corner[2]);
-    if (!f->triangle)
-        memcpy(x[3], corner[3], sizeof corner[3]);
+    for (int i = 0; i < (f->triangle ? 3 : 4); i++)
+        memcpy(x[i], corner[f->triangle && i == 2 ? 3 : i], sizeof corner[i]);
     return true;
-}
-
-static double length_of(const double a[3], const double b[3])
-{
-    return hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
 }
 
 /* Draws a quadratic form xx, xy, yy with principal curvatures up to `most`: two uniform numbers, or a uniform larger
@@ -53,7 +45,7 @@ static void draw_middles(const struct surface *f, gsl_rng *stream, const struct 
     const size_t corners = f->triangle ? 3 : 4;
     double longest = 0, shortest = INFINITY, form[3];
     for (size_t i = 0; i < corners; i++) {
-        const double edge = length_of(x[i], x[(i + 1) % corners]);
+        const double *a = x[i], *b = x[(i + 1) % corners], edge = hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
         longest = fmax(longest, edge);
         shortest = fmin(shortest, edge);
     }

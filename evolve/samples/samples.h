@@ -1,6 +1,6 @@
 /* The samples of a scene, drawn and labelled with their certain foot points: one at a time, so that a million can be measured
  * and none is stored, or all of a part.  A random sample depends only on the seeds of the scene and of the run, the part and the
- * sample's number.  A sample can also be drawn from given random numbers; evolve/write/climb.h finds the neighbours of a sample in
+ * sample's number.  A sample can also be drawn from given random numbers; evolve/write/climb.c finds the neighbours of a sample in
  * this way. */
 #ifndef FOOTPOINT_SAMPLES_H
 #define FOOTPOINT_SAMPLES_H

@@ -148,11 +148,12 @@ static bool gap_at(const struct footpoint_gregory *patch, const double xs[3], do
     return length > 0;
 }
 
-bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], const double hi[2], const double near[2])
+bool surface_foot_patch(const struct surface *f, struct sample *s, const double lo[2], const double hi[2],
+                        const double near[2])
 {
     struct footpoint_gregory patch;
     struct stationary found[PATCH_STATIONARY_MAX];
-    if (patch_points(kind, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK)
+    if (patch_points(f->patch, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK)
         return false;
     const bool known = near && foot_patch_closest_near(&patch, s->xs, lo, hi, near, found);
     const int n = known ? 1 : foot_patch_stationary(&patch, s->xs, lo, hi, found);
@@ -177,10 +178,4 @@ void surface_point_patch(const struct surface *f, double (*x)[3], double xi, dou
         r[1][k] = jet.r_xi[k];
         r[2][k] = jet.r_eta[k];
     }
-}
-
-bool surface_foot_patch(const struct surface *f, struct sample *s, const double lo[2], const double hi[2],
-                        const double near[2])
-{
-    return foot_patch(f->patch, s, lo, hi, near);
 }

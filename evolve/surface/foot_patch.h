@@ -24,9 +24,4 @@ bool foot_patch_closest(const struct footpoint_gregory *patch, const double xs[3
 bool foot_patch_closest_near(const struct footpoint_gregory *patch, const double xs[3], const double lo[2],
                              const double hi[2], const double near[2], struct stationary *closest);
 
-/** Finds the foot point as scenes define it: the local minimum nearest to xs with lo < xi,eta <= hi. Fills xi, eta and
- *  gap of *s from its corners, normals and slave node. Returns false if it does not exist or is not certain.
- *  @param[in] near  as in surface.h */
-bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], const double hi[2], const double near[2]);
-
 #endif

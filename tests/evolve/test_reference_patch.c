@@ -155,6 +155,7 @@ static void no_sample_is_nearer(void **state)
 static void curves_of_points_are_uncertain(void **state)
 {
     (void)state;
+    const struct surface *gregory = surface_find(segment_find("gregory"));
     struct sample s = {.x = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {1.5, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
                        .xs = {1.2, 0.3, 0.1}};
     struct footpoint_gregory g;
@@ -162,10 +163,10 @@ static void curves_of_points_are_uncertain(void **state)
     assert_int_equal(footpoint_gregory_points((const double(*)[3])s.x, (const double(*)[3])s.x + 4, &g), FOOTPOINT_OK);
     assert_int_equal(foot_patch_stationary(&g, s.xs, lowest, highest, found), PATCH_UNCERTAIN);
     assert_false(foot_patch_closest(&g, s.xs, &closest));
-    assert_false(foot_patch(PATCH_GREGORY, &s, lowest, highest, NULL));
+    assert_false(gregory->foot(gregory, &s, lowest, highest, NULL));
     s.xs[1] = NAN;
     assert_false(foot_patch_closest(&g, s.xs, &closest));
-    assert_false(foot_patch(PATCH_GREGORY, &s, lowest, highest, NULL));
+    assert_false(gregory->foot(gregory, &s, lowest, highest, NULL));
 }
 
 /* A corner is the closest point of all points that lie beyond it, an edge of points beside it. */
