@@ -7,22 +7,12 @@
 
 enum { LINE = 64, STAGGER = 17 * LINE };
 
-static void *align(void *p)
-{
-    const uintptr_t over = (uintptr_t)p % LINE;
-    return over ? (char *)p + (LINE - over) : p;
-}
-
-static size_t room(size_t n, size_t size)
-{
-    return (n + SUM_BLOCK - 1) / SUM_BLOCK * SUM_BLOCK + STAGGER / size;
-}
-
 struct columns columns_new(size_t n, size_t count)
 {
-    struct columns c = {.n = n, .count = count, .room = room(n, sizeof(double))};
-    c.memory = new_array(c.room * count + LINE / sizeof(double), sizeof(double));
-    c.data = align(c.memory);
+    const size_t blocks = (n + SUM_BLOCK - 1) / SUM_BLOCK;
+    struct columns c = {.n = n, .count = count, .room = blocks * SUM_BLOCK + STAGGER / sizeof *c.data};
+    c.memory = new_array(c.room * count + LINE / sizeof *c.data, sizeof *c.data);
+    c.data = c.memory + (LINE - (uintptr_t)c.memory % LINE) % LINE / sizeof *c.data;
     return c;
 }
 

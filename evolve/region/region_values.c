@@ -35,12 +35,6 @@ static bool has_quotient(const struct genome_file *f, const struct genome_expr *
     return false;
 }
 
-/* Returns true if a value has a name; values within a function do not. */
-static bool has_name(const struct genome_file *f, size_t symbol)
-{
-    return genome_find_symbol(f, genome_symbol_name(f, symbol)) == (long)symbol;
-}
-
 /* Returns an array indexed by let: the let is a quotient or made of quotients. */
 static bool *quotients(const struct genome_file *f)
 {
@@ -53,8 +47,9 @@ static bool *quotients(const struct genome_file *f)
 bool *named_quotients(const struct genome_file *f, const bool *used)
 {
     bool *named = quotients(f);
-    for (size_t i = 0; i < f->lets; i++)
-        named[i] = named[i] && used[i] && has_name(f, f->inputs + i);
+    for (size_t i = 0; i < f->lets; i++) /* values within a function have no name */
+        named[i] =
+            named[i] && used[i] && genome_find_symbol(f, genome_symbol_name(f, f->inputs + i)) == (long)(f->inputs + i);
     return named;
 }
 

@@ -60,12 +60,6 @@ struct region_survey {
     bool begun; /* samples have been added */
 };
 
-static void take_in(struct extremes *e, const struct columns *table)
-{
-    for (size_t j = 0; j < table->count; j++)
-        extend_range(columns_at(table, j), table->n, &e->lo[j], &e->hi[j]);
-}
-
 static void take_in_expressions(struct extremes *e, size_t j, const struct genome_file *f, const struct genome_expr *x,
                                 size_t n, const struct columns *table)
 {
@@ -127,8 +121,9 @@ static void take_piece(struct region_survey *s, const struct sample *sample, siz
     for (size_t i = 0; i < n; i++)
         similar(f->segment, &sample[i], &moved[i]);
     struct columns table = frame_columns(f, moved, n);
-    take_in(&s->e, &table);
-    size_t j = table.count;
+    size_t j = 0;
+    for (; j < table.count; j++)
+        extend_range(columns_at(&table, j), n, &s->e.lo[j], &s->e.hi[j]);
     for (size_t g = 0; g < f->genomes; j += f->genome[g++].outs)
         take_in_expressions(&s->e, j, f, f->genome[g].out, f->genome[g].outs, &table);
     take_in_expressions(&s->e, first_least(f), f, f->least, f->leasts, &table);

@@ -108,11 +108,6 @@ struct shape *shape_new(const struct segment_kind *kind)
     return NULL;
 }
 
-void shape_free(struct shape *p)
-{
-    free(p);
-}
-
 size_t shape_numbers(const struct shape *p)
 {
     return 2 + 3 * (p->nodes - LINEAR) + 3;

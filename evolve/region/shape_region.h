@@ -10,9 +10,8 @@ enum { SHAPE_NUMBERS = 2 + 3 * 6 + 3 }; /* at most */
 
 struct shape;
 
-/** Returns a shape, or NULL if the kind's points are not polynomials. */
+/** Returns a shape, which the caller must free(), or NULL if the kind's points are not polynomials. */
 struct shape *shape_new(const struct segment_kind *kind);
-void shape_free(struct shape *p);
 
 size_t shape_numbers(const struct shape *p);
 

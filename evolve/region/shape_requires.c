@@ -232,7 +232,7 @@ void shape_survey_add(struct shape_survey *s)
     add_ranges(s);
     for (size_t i = 0; i < s->values; i++)
         require_value(s, &s->value[i]);
-    shape_free(s->shape);
+    free(s->shape);
     free(s->value);
     free(s);
 }

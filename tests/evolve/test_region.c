@@ -55,7 +55,7 @@ static void check_scene(const char *named)
     assert_true(set.n > 0 && 100 * inside >= 99 * set.n);
     free(at);
     free(box);
-    shape_free(shape);
+    free(shape);
     region_free(r);
     program_free(p);
     genome_file_free(f);

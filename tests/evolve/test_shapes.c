@@ -151,7 +151,7 @@ static void check_kind(const char *name)
         }
     }
     genome_file_free(region);
-    shape_free(shape);
+    free(shape);
 }
 
 static void shape_numbers_reproduce_segments(void **state)
