@@ -4,7 +4,6 @@
 #include "../../codegen/base/text.h"
 #include "../eval/frame.h"
 #include "../write/archive_write.h"
-#include "../write/page.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -47,13 +46,6 @@ static bool measure_beside(struct beside *b, enum scene_norm norm, struct sample
     b->judge = objective_new(b->shipped->program, &b->table, norm);
     b->judge->decimal = true;
     return good;
-}
-
-static void free_beside(struct beside *b)
-{
-    objective_free(b->judge);
-    columns_free(&b->table);
-    free(b->sample);
 }
 
 /* ---- the page ---- */
@@ -126,7 +118,8 @@ static bool write_page(const struct call *call, const struct problem *p, const s
                                        {.name = "warp, degrees"},
                                        {.name = "|gap| / edge"}};
     struct scene *usual = scene_of_kind(call->options->root, p->scene, d);
-    struct page_row *row = new_array(b->shipped->quests, sizeof *row);
+    struct arena memory = {NULL};
+    struct page_row *row = arena_array(&memory, b->shipped->quests, sizeof *row);
     size_t rows = 0;
     if (usual)
         set_limits(usual, m);
@@ -140,15 +133,13 @@ static bool write_page(const struct call *call, const struct problem *p, const s
     }
     for (int k = 0; k < MEASURES; k++) {
         m[k].n = b->table.n;
-        m[k].value = new_array(b->table.n, sizeof *m[k].value);
+        m[k].value = arena_array(&memory, b->table.n, sizeof *m[k].value);
     }
     for (size_t i = 0; i < b->table.n; i++)
         measure_sample(&b->sample[i], p->scene->segment->triangle, m, i);
     const bool written =
         page_write(call->options->page, p->scene->name, p->scene->segment->name, verdict, row, rows, m, MEASURES, d);
-    for (int k = 0; k < MEASURES; k++)
-        free(m[k].value);
-    free(row);
+    arena_free(&memory);
     scene_free(usual);
     return written;
 }
@@ -169,6 +160,8 @@ bool run_verdict(const struct call *call, const struct problem *p, const struct 
         good = !call->options->page || b.table.n == 0 || write_page(call, p, &b, verdict, d);
         free(verdict);
     }
-    free_beside(&b);
+    objective_free(b.judge);
+    columns_free(&b.table);
+    free(b.sample);
     return good;
 }

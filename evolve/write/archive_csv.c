@@ -5,7 +5,6 @@
 #include "../common/decimal.h"
 #include "../eval/frame.h"
 #include "../genotype/lines_text.h"
-#include "climb.h"
 #include "measure.h"
 
 #include <math.h>
@@ -16,7 +15,8 @@ enum { PARTS = 2 };
 
 /* A row of the table. */
 struct row {
-    const struct quest *quest; /* not owned, as is: */
+    const struct archive *a; /* not owned, as is: */
+    const struct quest *quest;
     const struct member *member;
     struct errors found[PARTS]; /* n is 0 if the scene lacks the part */
 };
@@ -29,7 +29,7 @@ static struct row *list_rows(const struct archive *a, size_t *n)
     for (const struct quest *q = a->quest; q < a->quest + a->quests; q++)
         for (size_t c = 0; c <= q->front->limit; c++)
             if (q->front->member[c].genes.length > 0)
-                APPEND(row, *n, room) = (struct row){.quest = q, .member = &q->front->member[c]};
+                APPEND(row, *n, room) = (struct row){.a = a, .quest = q, .member = &q->front->member[c]};
     return row;
 }
 
@@ -63,29 +63,23 @@ static void take_piece(const struct archive *a, const struct row *row, size_t n,
 
 /* ---- climbing ---- */
 
-struct row_of {
-    const struct archive *a; /* not owned, as is: */
-    const struct row *row;
-};
-
 /* Computes the larger error of both outputs. */
 static void errors_of_row(const void *of, const struct sample *s, size_t n, double **error)
 {
-    const struct row_of *r = of;
+    const struct row *r = of;
     struct columns table;
     struct objective *o = judge_new(r->a, s, n, &table);
-    archive_bare_error(r->a, o, r->row->quest, &r->row->member->genes);
+    archive_bare_error(r->a, o, r->quest, &r->member->genes);
     for (size_t i = 0; i < n; i++)
-        error[0][i] = fmax(o->scratch[i], outputs_of(r->row) == 2 ? o->scratch[n + i] : 0);
+        error[0][i] = fmax(o->scratch[i], outputs_of(r) == 2 ? o->scratch[n + i] : 0);
     objective_free(o);
     columns_free(&table);
 }
 
 /* Climbs from a row's worst samples and returns the largest error. In a piece of n samples with pooled outputs, errors
  * have the indices 0 to 2 n - 1. */
-static double climb_row(const struct archive *a, const struct row *row, size_t at, struct sampler *p, struct tally *t)
+static double climb_row(const struct row *row, size_t at, struct sampler *p, struct tally *t)
 {
-    const struct row_of of = {a, row};
     const size_t outs = outputs_of(row), piece = outs * HELDOUT_PIECE, all = t->n / outs;
     struct largest start[TALLY_WORST];
     size_t n = 0;
@@ -96,7 +90,7 @@ static double climb_row(const struct archive *a, const struct row *row, size_t a
         const size_t samples = left < HELDOUT_PIECE ? left : HELDOUT_PIECE;
         start[n] = (struct largest){t->largest[n].error, first + t->largest[n].sample % piece % samples};
     }
-    climb_from(p, &(struct climb_goal){errors_of_row, &of, 1, NULL, NULL}, at, start, n, &worst);
+    climb_from(p, &(struct climb_goal){errors_of_row, row, 1, NULL, NULL}, at, start, n, &worst);
     return worst;
 }
 
@@ -112,7 +106,7 @@ static bool measure_rows(const struct archive *a, struct row *row, size_t n, str
     while ((good = heldout_piece(p, most, &at, s, &samples, d)) && samples > 0)
         take_piece(a, row, n, s, samples, t);
     for (size_t i = 0; i < n; i++) {
-        const double climbed = good && climb_can(p) && most == SIZE_MAX ? climb_row(a, &row[i], i, p, &t[i]) : 0;
+        const double climbed = good && climb_can(p) && most == SIZE_MAX ? climb_row(&row[i], i, p, &t[i]) : 0;
         row[i].found[part] = tally_close(&t[i]);
         row[i].found[part].n = at;
         row[i].found[part].climbed = climbed;
@@ -152,16 +146,16 @@ static void print_expression(const struct archive *a, const struct quest *q, con
     fputc('\n', stream);
 }
 
-static void print_row(const struct archive *a, const struct row *r, FILE *stream)
+static void print_row(const struct row *r, FILE *stream)
 {
     const struct quest *q = r->quest;
     const struct member *m = r->member;
-    const struct operation_count o = archive_operations(a, q, &m->genes, NULL);
+    const struct operation_count o = archive_operations(r->a, q, &m->genes, NULL);
     fprintf(stream, "%s,%s,%g,%u,%u,%u,%u,%s,%.3e", q->own->name, frame_output[q->output], m->cost, o.mul, o.add, o.div,
             o.other, origin_name[m->origin], m->error);
     for (int k = 0; k < PARTS; k++)
         print_errors(&r->found[k], stream);
-    print_expression(a, q, &m->genes, stream);
+    print_expression(r->a, q, &m->genes, stream);
 }
 
 bool archive_is_list(const char *path)
@@ -187,7 +181,7 @@ bool archive_write_csv(const struct archive *a, const char *path, const struct h
         "tree\n",
         out.stream);
     for (size_t i = 0; i < n; i++)
-        print_row(a, &row[i], out.stream);
+        print_row(&row[i], out.stream);
     free(row);
     if (good)
         return outfile_commit(&out, d);

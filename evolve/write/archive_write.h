@@ -1,4 +1,4 @@
-/* Writes the results of a run, as files and as tables, and samples held out. */
+/* Writes the results of a run, as files, as tables and as a picture, and samples held out. */
 #ifndef FOOTPOINT_ARCHIVE_WRITE_H
 #define FOOTPOINT_ARCHIVE_WRITE_H
 
@@ -12,7 +12,7 @@ struct run_facts {
 };
 
 /** Writes the file: notes, program, and a genome for each tier with its errors on the held-out parts, which serve for
- *  nothing else; worst errors include climbing (climb.h).
+ *  nothing else; worst errors include climbing (measure.h).
  *  @param[in] most  samples of a part; SIZE_MAX: all */
 bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct heldout *heldout,
                    size_t most, struct diag *d);
@@ -46,5 +46,24 @@ void archive_verdict(const struct archive *a, const struct archive *shipped, str
  *  @param[in] genomes  path of the genomes to climb with, or NULL */
 bool samples_write(const char *root, const char *scene, size_t run, const char *genomes, const char *path,
                    struct diag *d);
+
+/** Mean errors of a function in the bands of |gap|, and of its kind's shipped function; negative: no value. */
+struct page_row {
+    const char *tier; /* not owned */
+    double own[GAP_BANDS], shipped[GAP_BANDS];
+};
+
+/** A measure of all samples. */
+struct page_measure {
+    const char *name; /* not owned; includes its unit */
+    double *value;    /* owned by the caller */
+    size_t n;
+    double limit; /* range of the samples on which the shipped functions were bred; negative: no limit */
+};
+
+/** Writes the picture, an SVG legible at a width of 400 pixels, titled by `scene` and `kind`. `verdict`: lines, which
+ *  are taken apart. Returns false, with *d filled, on failure. */
+bool page_write(const char *path, const char *scene, const char *kind, char *verdict, const struct page_row *row,
+                size_t rows, const struct page_measure *measure, size_t measures, struct diag *d);
 
 #endif

@@ -1,6 +1,6 @@
-/* A local search for the worst errors; see climb.h.  All climbers of a function step together, so that one table holds the
+/* A local search for the worst errors; see measure.h.  All climbers of a function step together, so that one table holds the
  * frame's values of all their samples. */
-#include "climb.h"
+#include "measure.h"
 
 #include <math.h>
 #include <stdlib.h>

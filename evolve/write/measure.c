@@ -3,7 +3,6 @@
 
 #include "../eval/frame.h"
 #include "../region/sampled_region.h"
-#include "climb.h"
 
 #include <stdlib.h>
 #include <string.h>

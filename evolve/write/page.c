@@ -1,7 +1,7 @@
-/* Draws a picture of a run's results on a mesh; see page.h. Above: the verdict, and a cell for each function and band of
+/* Draws a picture of a run's results on a mesh; see archive_write.h. Above: the verdict, and a cell for each function and band of
  * |gap|, of this run and of the shipped functions, coloured by the logarithm of the error. Below: histograms, with the
  * limits of the shipped functions. All letters have 15 units or more of 640: 9 pixels on a screen of 400. */
-#include "page.h"
+#include "archive_write.h"
 
 #include "../../codegen/base/outfile.h"
 #include "../../codegen/base/text.h"
@@ -12,12 +12,18 @@
 
 enum { WIDTH = 640, MARGIN = 16, LABEL = 96, CELL = 61, LINE = 26, GAP = 20, BINS = 24, PANEL = 192, HEIGHT = 92 };
 
-/* Markup is kept out of the text. */
-static void text(FILE *f, double x, double y, const char *how, const char *words)
+/* Draws formatted text. Markup is kept out of it. */
+__attribute__((format(printf, 5, 6))) static void text(FILE *f, double x, double y, const char *how, const char *format,
+                                                       ...)
 {
+    char words[1024];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(words, sizeof words, format, args);
+    va_end(args);
     fprintf(f, "<text x=\"%g\" y=\"%g\"%s%s>", x, y, *how ? " " : "", how);
-    for (; *words; words++)
-        fputc(strchr("&<>", *words) ? '_' : *words, f);
+    for (const char *c = words; *c; c++)
+        fputc(strchr("&<>", *c) ? '_' : *c, f);
     fputs("</text>\n", f);
 }
 
@@ -30,28 +36,22 @@ static double draw_verdict(FILE *f, double y, char *verdict)
         end = verdict + strcspn(verdict, ";\n");
         *end = '\0';
         y += 20;
-        text(f, first ? MARGIN : MARGIN + 32, y, first ? "" : "fill=\"#666\"", verdict);
+        text(f, first ? MARGIN : MARGIN + 32, y, first ? "" : "fill=\"#666\"", "%s", verdict);
         end += end[1] == ' ';
     }
     return y;
 }
 
-/* Maps an error to a colour: red for 0.1 and above, through yellow and green to blue for rounding. */
-static void fill(double error, char colour[24])
-{
-    const double part = fmin(1, fmax(0, (-1 - log10(fmax(error, 1e-16))) / 15));
-    snprintf(colour, 24, "hsl(%.0f,65%%,78%%)", 10 + 210 * part);
-}
-
+/* Draws a cell in the colour of an error: red for 0.1 and above, through yellow and green to blue for rounding. */
 static void draw_cell(FILE *f, double x, double y, double error, double other)
 {
-    char colour[24], words[16];
+    const double part = fmin(1, fmax(0, (-1 - log10(fmax(error, 1e-16))) / 15));
     if (error < 0)
         return;
-    fill(error, colour);
-    fprintf(f, "<rect x=\"%g\" y=\"%g\" width=\"%d\" height=\"%d\" fill=\"%s\"/>\n", x, y, CELL - 2, LINE - 2, colour);
-    snprintf(words, sizeof words, error < INFINITY ? "%.0e" : "none", error);
-    text(f, x + CELL / 2.0 - 1, y + LINE - 8, 2 * fmax(error, 1e-15) <= other ? "class=\"m h\"" : "class=\"m\"", words);
+    fprintf(f, "<rect x=\"%g\" y=\"%g\" width=\"%d\" height=\"%d\" fill=\"hsl(%.0f,65%%,78%%)\"/>\n", x, y, CELL - 2,
+            LINE - 2, 10 + 210 * part);
+    text(f, x + CELL / 2.0 - 1, y + LINE - 8, 2 * fmax(error, 1e-15) <= other ? "class=\"m h\"" : "class=\"m\"",
+         error < INFINITY ? "%.0e" : "none", error);
 }
 
 static double draw_errors(FILE *f, double y, const char *scene, const char *kind, const struct page_row *row,
@@ -71,27 +71,20 @@ static double draw_errors(FILE *f, double y, const char *scene, const char *kind
         snprintf(words, sizeof words, "footpoint_%.14s_...", name[k]);
         for (char *c = words; *c; c++) /* as in names of functions */
             *c = *c == '-' ? '_' : *c;
-        text(f, left[k], y, "class=\"h\"", words);
+        text(f, left[k], y, "class=\"h\"", "%s", words);
         for (int b = 0; b < GAP_BANDS; b++)
-            text(f, left[k] + (b + 0.5) * CELL, y + 20, "class=\"m\"", gap_band_name[b]);
+            text(f, left[k] + (b + 0.5) * CELL, y + 20, "class=\"m\"", "%s", gap_band_name[b]);
     }
     text(f, MARGIN, y + 20, "", "|gap| / edge");
     for (size_t i = 0; i < rows; i++) {
         const double top = y + 28 + LINE * (double)i;
-        text(f, MARGIN, top + LINE - 8, "", row[i].tier);
+        text(f, MARGIN, top + LINE - 8, "", "%s", row[i].tier);
         for (int b = 0; b < GAP_BANDS; b++) {
             draw_cell(f, left[0] + b * CELL, top, row[i].own[b], row[i].shipped[b]);
             draw_cell(f, left[1] + b * CELL, top, row[i].shipped[b], row[i].own[b]);
         }
     }
     return y + 28 + LINE * (double)rows;
-}
-
-static void number(FILE *f, double x, double y, const char *how, const char *format, double value)
-{
-    char words[32];
-    snprintf(words, sizeof words, format, value);
-    text(f, x, y, how, words);
 }
 
 /* Draws bars from 0 or the smallest value to the largest value or the limit, whichever is larger; red beyond it. */
@@ -111,8 +104,8 @@ static void draw_histogram(FILE *f, double x, double y, const struct page_measur
         count[bin]++;
         most = count[bin] > most ? count[bin] : most;
     }
-    text(f, x, y + 18, "class=\"h\"", m->name);
-    number(f, x + PANEL, y + 18, "class=\"e\"", "%.0f %%", 100 * (double)most / (double)m->n);
+    text(f, x, y + 18, "class=\"h\"", "%s", m->name);
+    text(f, x + PANEL, y + 18, "class=\"e\"", "%.0f %%", 100 * (double)most / (double)m->n);
     for (int b = 0; b < BINS; b++) {
         const double high = HEIGHT * (double)count[b] / (double)most;
         fprintf(f, "<rect x=\"%g\" y=\"%.1f\" width=\"%g\" height=\"%.1f\" fill=\"%s\"/>\n", x + b * PANEL / BINS,
@@ -124,12 +117,12 @@ static void draw_histogram(FILE *f, double x, double y, const struct page_measur
     if (m->limit >= 0) {
         fprintf(f, "<path d=\"M%.1f %gv%d\" stroke=\"#c33\" stroke-width=\"2\" stroke-dasharray=\"5 3\"/>\n", at,
                 y + 24, HEIGHT);
-        number(f, at, base + 16, "class=\"m\" fill=\"#c33\"", "%.2g", m->limit);
+        text(f, at, base + 16, "class=\"m\" fill=\"#c33\"", "%.2g", m->limit);
     }
     if (fabs(at - x) > 48)
-        number(f, x, base + 16, "", "%.2g", lowest);
+        text(f, x, base + 16, "", "%.2g", lowest);
     if (fabs(at - x - PANEL) > 48)
-        number(f, x + PANEL, base + 16, "class=\"e\"", "%.2g", highest);
+        text(f, x + PANEL, base + 16, "class=\"e\"", "%.2g", highest);
 }
 
 static double draw_histograms(FILE *f, double y, const struct page_measure *m, size_t n)

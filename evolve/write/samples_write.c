@@ -2,7 +2,6 @@
 #include "archive_write.h"
 
 #include "../input/scene_files.h"
-#include "climb.h"
 #include "measure.h"
 
 #include <string.h>

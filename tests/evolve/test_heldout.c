@@ -3,7 +3,7 @@
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/eval/lines_run.h"
 #include "../../evolve/samples/samples.h"
-#include "../../evolve/write/climb.h"
+#include "../../evolve/write/measure.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
