@@ -2,6 +2,7 @@
 #include "checkpoint.h"
 
 #include <ctype.h>
+#include <endian.h>
 #include <errno.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -53,13 +54,13 @@ struct checkpoint checkpoint_new(const char *facts, const size_t *bytes, size_t 
                            .facts = new_text(facts, text),
                            .sections = sections,
                            .section = new_array(sections, sizeof *c.section)};
-    unsigned char *at = (unsigned char *)c.head + n + text;
+    char *at = c.head + n + text;
     memcpy(c.head, line, n);
     memcpy(c.head + n, facts, text);
     for (size_t i = 0; i < sections; i++) {
+        const uint64_t stored = htole64(bytes[i]);
         c.section[i].bytes = bytes[i];
-        for (int k = 0; k < SIZE_BYTES; k++)
-            *at++ = (unsigned char)((uint64_t)bytes[i] >> (8 * k));
+        memcpy(at + i * SIZE_BYTES, &stored, SIZE_BYTES);
     }
     checkpoint_seal((unsigned char *)c.head, sealed_bytes);
     place_sections(&c);
@@ -107,16 +108,15 @@ static bool read_first(struct checkpoint *c, const char *path, const char *text,
 static bool read_head(struct checkpoint *c, size_t facts)
 {
     const size_t lengths = c->head_bytes - CHECKPOINT_SEAL - c->sections * SIZE_BYTES;
-    const unsigned char *at = (const unsigned char *)c->head + lengths;
+    const char *at = c->head + lengths;
     if (!sealed(c->head, c->head_bytes - CHECKPOINT_SEAL))
         return false;
     c->facts = new_text(c->head + lengths - facts, facts);
     c->section = new_array(c->sections, sizeof *c->section);
     for (size_t i = 0; i < c->sections; i++, at += SIZE_BYTES) {
-        uint64_t bytes = 0;
-        for (int k = SIZE_BYTES; k-- > 0;)
-            bytes = bytes << 8 | at[k];
-        c->section[i].bytes = (size_t)bytes;
+        uint64_t stored;
+        memcpy(&stored, at, SIZE_BYTES);
+        c->section[i].bytes = (size_t)le64toh(stored);
     }
     return place_sections(c);
 }

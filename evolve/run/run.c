@@ -158,14 +158,6 @@ static void tell_chosen(const struct problem *p)
         printf(": one gene, chosen among the frame's values\n");
 }
 
-/* Prints the origin of the samples of a mesh. */
-static void tell_nodes(const struct problem *p, size_t real)
-{
-    if (p->scene->source == SOURCE_MESH)
-        printf("%s: %zu training samples are slave nodes of the mesh%s\n", p->scene->name, real,
-               real < MESH_FEW ? ", too few to go by: errors are of random nodes over the same faces" : "");
-}
-
 /* Prints the inputs that the scene varies, and the consequences.  A resumed run has printed them before. */
 static void tell_segments(const struct problem *p, const struct run_samples *s)
 {
@@ -177,7 +169,9 @@ static void tell_segments(const struct problem *p, const struct run_samples *s)
     if (s->follows)
         printf(", frame %s", p->scene->tier[0].frame);
     archive_print_exact(p->archive, stdout);
-    tell_nodes(p, s->real);
+    if (p->scene->source == SOURCE_MESH)
+        printf("%s: %zu training samples are slave nodes of the mesh%s\n", p->scene->name, s->real,
+               s->real < MESH_FEW ? ", too few to go by: errors are of random nodes over the same faces" : "");
     tell_chosen(p);
     fflush(stdout);
 }
@@ -248,13 +242,6 @@ static bool needs_ring(const struct archive *a, const struct quest *q, size_t ge
     return q->champion.exact == 0 && !tier_is_chosen(q->own) && (generations > 0 || lacking);
 }
 
-/* Returns the ring of a quest.  Most programs are near their tier's budget. */
-static struct ring ring_of(struct quest *q)
-{
-    const struct tier *t = q->own;
-    return (struct ring){q, tier_genes(t), t->budget > 0 ? t->budget : (double)t->max_length};
-}
-
 static void make_rings(const struct evolve_options *o, const struct problem *p, struct islands *s)
 {
     const struct archive *a = p->archive;
@@ -262,16 +249,11 @@ static void make_rings(const struct evolve_options *o, const struct problem *p, 
     s->places = o->islands;
     for (struct quest *q = a->quest; q < a->quest + a->quests; q++)
         if (needs_ring(a, q, o->generations))
-            s->ring[s->rings++] = ring_of(q);
+            s->ring[s->rings++] = (struct ring){q, tier_genes(q->own), /* most programs are near their tier's budget: */
+                                                q->own->budget > 0 ? q->own->budget : (double)q->own->max_length};
     s->owner = new_array(islands_count(s), sizeof *s->owner);
     s->island = new_array(islands_count(s), sizeof(struct island *));
     s->seeded = new_array(islands_count(s), sizeof *s->seeded);
-}
-
-/* Returns true if an island starts only from random trees: the paper's last island of a ring of several. */
-static bool starts_at_random(const struct islands *s, size_t place)
-{
-    return s->places > 1 && place == s->places - 1;
 }
 
 /* Returns the largest cost on islands.  A program above its tier's budget serves only as an ancestor, far above it hardly so. */
@@ -289,7 +271,8 @@ static void make_islands(const struct call *call, const struct problem *p, struc
         struct genes *seed;
         const struct quest *q = ring->quest;
         const size_t seeds = archive_seeds(p->archive, q, &seed);
-        const bool random = starts_at_random(s, i % s->places) && !quest_of_programs(q);
+        /* The paper's last island of a ring of several starts only from random trees. */
+        const bool random = s->places > 1 && i % s->places == s->places - 1 && !quest_of_programs(q);
         const struct goal goal = {.program = quest_of_programs(q),
                                   .column = frame_target(p->archive->program, q->output),
                                   .last = q->last,
@@ -373,15 +356,6 @@ static void take_front(void *to, size_t island, const int *report)
                 lowest);
 }
 
-static void choose(const struct call *call, const struct problem *p, const struct archive *shipped,
-                   struct objective *judge)
-{
-    if (p->archive->knees && shipped && judge && call->options->generations > 0)
-        archive_choose_knees(p->archive, shipped, p->objective, judge);
-    else
-        archive_choose_champions(p->archive, &p->plan, p->objective, judge);
-}
-
 /* Returns false with *d filled if a tier has no expression, with `all`, or if no tier has any. */
 static bool found(const struct archive *a, bool all, struct diag *d)
 {
@@ -444,15 +418,24 @@ static bool conclude(const struct run *r, struct diag *d)
     struct archive *shipped = compared ? run_shipped(&r->call, p) : NULL;
     if (shipped)
         run_measure_shipped(p, shipped);
-    choose(&r->call, p, shipped, judge);
+    if (p->archive->knees && shipped && judge && r->call.options->generations > 0)
+        archive_choose_knees(p->archive, shipped, p->objective, judge);
+    else
+        archive_choose_champions(p->archive, &p->plan, p->objective, judge);
     const bool written = write_found(&r->call, p, r->files.output, shipped, &r->samples.heldout, judge, &r->outcome, d);
     archive_free(shipped);
     objective_free(judge);
     return written;
 }
 
-static void problem_free(struct problem *p)
+static void run_free(struct run *r)
 {
+    struct problem *p = &r->problem;
+    islands_free(&r->islands);
+    free(r->files.start_text);
+    sample_set_free(&r->samples.training);
+    columns_free(&r->samples.validation);
+    heldout_free(&r->samples.heldout);
     for (size_t i = 0; p->genes && i < p->scene->tiers; i++)
         gene_set_free(&p->genes[i]);
     free(p->genes);
@@ -461,16 +444,6 @@ static void problem_free(struct problem *p)
     columns_free(&p->table);
     archive_free(p->archive);
     scene_free(p->scene);
-}
-
-static void run_free(struct run *r)
-{
-    islands_free(&r->islands);
-    free(r->files.start_text);
-    sample_set_free(&r->samples.training);
-    columns_free(&r->samples.validation);
-    heldout_free(&r->samples.heldout);
-    problem_free(&r->problem);
 }
 
 bool run_evolution(const struct evolve_options *o, const struct team *team, const struct resume *resume, double begun,

@@ -3,6 +3,7 @@
 
 #include "../eval/frame.h"
 
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -86,12 +87,6 @@ static void measure_hardness(const struct problem *p, const struct archive *ship
     columns_free(&table);
 }
 
-static int descending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x < y) - (x > y);
-}
-
 /* Adds the hardest tenth of n samples, of which the first `real` are nodes of the mesh. */
 static void add_hardest(const struct problem *p, const struct archive *shipped, const struct sample *s, size_t n,
                         size_t real, struct sample_set *set)
@@ -99,8 +94,8 @@ static void add_hardest(const struct problem *p, const struct archive *shipped, 
     double *hardness = new_array(n, sizeof *hardness), *sorted = new_array(n, sizeof *sorted);
     measure_hardness(p, shipped, s, n, hardness);
     memcpy(sorted, hardness, n * sizeof *sorted);
-    qsort(sorted, n, sizeof *sorted, descending);
-    const double least = sorted[(n - 1) / HARDEST];
+    gsl_sort(sorted, 1, n);
+    const double least = sorted[n - 1 - (n - 1) / HARDEST];
     for (size_t i = 0; i < n; i++)
         if (hardness[i] >= least) {
             sample_set_add(set, &s[i]);
