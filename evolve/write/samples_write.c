@@ -17,27 +17,22 @@ static void print_head(const struct segment_kind *kind, FILE *out)
     fputs(",xi,eta\n", out);
 }
 
-static void print_sample(const struct segment_kind *kind, const char *part, const struct sample *s, FILE *out)
-{
-    fputs(part, out);
-    for (size_t k = 0; k <= segment_vectors(kind); k++) {
-        const double *x = k < segment_vectors(kind) ? s->x[k] : s->xs;
-        fprintf(out, ",%a,%a,%a", x[0], x[1], x[2]);
-    }
-    fprintf(out, ",%a,%a\n", s->xi, s->eta);
-}
-
-/* Where samples that climbing finds go. */
-struct climbed {
+/* Where samples go. */
+struct target {
     const struct segment_kind *kind; /* not owned, as is: */
     FILE *out;
     char part[40];
 };
 
-static void print_climbed(void *to, const struct sample *s)
+static void print_sample(void *to, const struct sample *s)
 {
-    const struct climbed *c = to;
-    print_sample(c->kind, c->part, s, c->out);
+    const struct target *t = to;
+    fputs(t->part, t->out);
+    for (size_t k = 0; k <= segment_vectors(t->kind); k++) {
+        const double *x = k < segment_vectors(t->kind) ? s->x[k] : s->xs;
+        fprintf(t->out, ",%a,%a,%a", x[0], x[1], x[2]);
+    }
+    fprintf(t->out, ",%a,%a\n", s->xi, s->eta);
 }
 
 /* @param[in] f  genomes from whose worst samples to climb, or NULL */
@@ -45,17 +40,18 @@ static bool write_part(const struct scene *scene, enum sample_part part, const c
                        FILE *out, struct diag *d)
 {
     struct sampler *p = sampler_new(scene, part, d);
-    struct climbed to = {scene->segment, out, ""};
+    struct target to = {scene->segment, out, ""};
     bool drawn = p != NULL;
+    snprintf(to.part, sizeof to.part, "%s", name);
     for (size_t i = 0; drawn && i < p->count; i++) {
         struct sample s;
         drawn = sampler_take(p, i, &s, d);
         if (drawn)
-            print_sample(scene->segment, name, &s, out);
+            print_sample(&to, &s);
     }
     snprintf(to.part, sizeof to.part, "%s_climbing", name);
     if (drawn && f && climb_can(p))
-        drawn = measure_climbed(f, p, strcmp(scene->precision, "float") == 0, print_climbed, &to, d);
+        drawn = measure_climbed(f, p, strcmp(scene->precision, "float") == 0, print_sample, &to, d);
     sampler_free(p);
     return drawn;
 }
