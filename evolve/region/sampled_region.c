@@ -2,6 +2,7 @@
  * sampled_region.h. */
 #include "sampled_region.h"
 
+#include "../common/vec3.h"
 #include "../eval/frame.h"
 #include "../eval/lines_run.h"
 #include "region_values.h"
@@ -19,23 +20,20 @@ static void similar(const struct segment_kind *kind, const struct sample *s, str
 {
     const size_t vectors = segment_vectors(kind), nodes = strlen(kind->nodes);
     const double *third = s->x[kind->corners - 1];
-    double e[3][3], length = 0, along = 0, height = 0;
+    double e[3][3];
     for (int i = 0; i < 3; i++) {
         e[0][i] = s->x[1][i] - s->x[0][i];
         e[1][i] = third[i] - s->x[0][i];
-        length += e[0][i] * e[0][i];
-        along += e[0][i] * e[1][i];
     }
-    length = sqrt(length);
-    for (int i = 0; i < 3; i++) {
+    const double length = vector_length(e[0]), along = vector_dot(e[0], e[1]);
+    for (int i = 0; i < 3; i++)
         e[1][i] -= along / (length * length) * e[0][i];
-        height += e[1][i] * e[1][i];
+    const double height = vector_length(e[1]);
+    for (int i = 0; i < 3; i++) {
         e[0][i] /= length;
+        e[1][i] /= height;
     }
-    for (int i = 0; i < 3; i++)
-        e[1][i] /= sqrt(height);
-    for (int i = 0; i < 3; i++)
-        e[2][i] = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
+    vector_cross(e[0], e[1], e[2]);
     *to = (struct sample){.xi = s->xi, .eta = s->eta};
     for (size_t n = 0; n <= vectors; n++)
         for (int k = 0; k < 3; k++)

@@ -324,16 +324,6 @@ static void say(const struct call *call, const char *phase)
     progress_phase(call->team->rank == 0 && !call->options->quiet, phase);
 }
 
-/* Returns an objective on validation samples, or NULL without such samples. */
-static struct objective *judge_new(const struct problem *p, const struct columns *validation)
-{
-    if (validation->n == 0)
-        return NULL;
-    struct objective *judge = objective_new(p->archive->program, validation, p->scene->norm);
-    judge->decimal = true;
-    return judge;
-}
-
 /* Merges the front of an island. */
 static void take_front(void *to, size_t island, const int *report)
 {
@@ -413,7 +403,10 @@ static bool write_found(const struct call *call, const struct problem *p, const 
 static bool conclude(const struct run *r, struct diag *d)
 {
     const struct problem *p = &r->problem;
-    struct objective *judge = judge_new(p, &r->samples.validation);
+    const struct columns *validation = &r->samples.validation;
+    struct objective *judge = validation->n > 0 ? objective_new(p->archive->program, validation, p->scene->norm) : NULL;
+    if (judge)
+        judge->decimal = true;
     const bool compared = r->call.options->generations > 0 || r->call.options->page;
     struct archive *shipped = compared ? run_shipped(&r->call, p) : NULL;
     if (shipped)

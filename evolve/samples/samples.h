@@ -52,10 +52,10 @@ bool scene_samples(const struct scene *s, enum sample_part part, struct sample_s
 /** Opens the held-out parts of a scene.  Returns false with *d filled; *h must be freed in either case. */
 bool scene_heldout(const struct scene *s, struct heldout *h, struct diag *d);
 
-/* ---- sources: shapes, meshes, lattices, smooth bodies; only for this room and its tests ---- */
-
 /** Below this number of mesh nodes over master faces, errors are measured on random nodes. */
 enum { MESH_FEW = 1000 };
+
+/* ---- sources: shapes, meshes, lattices, smooth bodies; only for this room and its tests ---- */
 
 /** PART_HELDOUT_EVEN only compares means and 99 % errors, for which these suffice. */
 enum { EVEN_MOST = 50000 };

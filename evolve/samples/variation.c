@@ -8,7 +8,6 @@
 #include <float.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <string.h>
 
 static const double nothing = 1e-12;            /* of the size: smaller variations count as 0 */
 static const double rounding = 8 * DBL_EPSILON; /* of the largest coordinate */
@@ -17,15 +16,6 @@ const char *const variation_name[] = {[VARY_RECTANGLES] = "rectangles",
                                       [VARY_PARALLELOGRAMS] = "parallelograms",
                                       [VARY_PLANE] = "plane",
                                       [VARY_WARPED] = "warped"};
-
-static double largest_coordinate(const double x[][3])
-{
-    double largest = 0;
-    for (int i = 0; i < 4; i++)
-        for (int k = 0; k < 3; k++)
-            largest = fmax(largest, fabs(x[i][k]));
-    return largest;
-}
 
 /* Returns the angle between the normals at the opposite corners (1,eta) and (-1,-eta). */
 static double turn(double c[3][3], double eta)
@@ -48,6 +38,9 @@ static struct variation measure(const struct sample *s)
 {
     const double(*x)[3] = (const double(*)[3])s->x;
     double c[3][3], n[3], a[3], b[3];
+    double largest = 0;
+    for (int i = 0; i < 12; i++)
+        largest = fmax(largest, fabs(x[i / 3][i % 3]));
     bilinear_vectors(x, c);
     vector_cross(c[0], c[1], n);
     vector_cross(c[2], c[1], a);
@@ -58,7 +51,7 @@ static struct variation measure(const struct sample *s)
     struct variation v = {.taper = fmax(fabs(vector_dot(a, n)), fabs(vector_dot(b, n))) / nn,
                           .warp = fmax(turn(c, 1), turn(c, -1)),
                           .skew = atan2(fabs(vector_dot(c[0], c[1])), sqrt(nn)),
-                          .tolerance = nothing + rounding * largest_coordinate(x) / size};
+                          .tolerance = nothing + rounding * largest / size};
     v.kind = v.warp > v.tolerance    ? VARY_WARPED
              : v.taper > v.tolerance ? VARY_PLANE
              : v.skew > v.tolerance  ? VARY_PARALLELOGRAMS
