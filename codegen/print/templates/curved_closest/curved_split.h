@@ -167,7 +167,7 @@ FOOTPOINT_COLD int footpoint_detail_KIND_split(const footpoint_detail_KIND_terms
         least = footpoint_detail_KIND_least_of(&c, h);
         start[0] = middle[0];
         start[1] = middle[1];
-        if (least > most) {
+        if (least > most + z->off_dd) { /* as `most` is off by that */
             top--;
             continue;
         }
