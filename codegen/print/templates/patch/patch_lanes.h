@@ -28,6 +28,9 @@ FOOTPOINT_APART void footpoint_detail_KIND_shapes(const BLOCK *FOOTPOINT_RESTRIC
                 n[k][i] = b->normal[k][i][l];
             }
         }
+        FOOTPOINT_WHOLE
+        for (i = 0; i < 3; i++) /* copied, but not computed here */
+            one.of.net.d[i] = one.v[footpoint_detail_KIND_count - 1][i] = 0.0;
         footpoint_detail_KIND_shape(normal, bent, &one.of);
         FOOTPOINT_WHOLE
         for (k = 0; k < footpoint_detail_KIND_count; k++) {
