@@ -9,6 +9,7 @@
  *   EXACT       the compiler keeps the order of operations, so that bits can be compared
  *   CLOSEST(F)  if the header has them: F(NAME_closest) for each function; its distance is compared as the gap
  *   OVER        the header has NAME_over_n
+ *   PATCH       the segment is a patch
  *
  * Each call of NAME is repeated in NAME_checked_n, between two good pairs, and in NAME_over_n. */
 #include <math.h>
@@ -76,10 +77,11 @@ static const double place[12][3] = {{0, 0, 0},
 static const int order[VECTORS] = {ORDER};
 static int failures;
 
-/* Returns true for the status of a good pair. If compilers may reorder sums, nothing is proved. */
+/* Returns true for the status of a good pair. If compilers may reorder sums, nothing is proved, and some functions of
+ * patches never prove anything. */
 static int is_good(int status)
 {
-#ifdef __FAST_MATH__
+#if defined __FAST_MATH__ || defined PATCH
     return status == FOOTPOINT_OK || status == FOOTPOINT_UNPROVED;
 #else
     return status == FOOTPOINT_OK;
@@ -111,6 +113,18 @@ static int is_same(R a, R b)
 #endif
 }
 
+/* Compares numbers of a single call and of arrays. On patches both keep the promise, which test_promise_patches judges,
+ * but differ within it. */
+static int is_equal(R a, R b)
+{
+#ifdef PATCH
+    const R off = (R)0.01 * (a < 0 ? -a : a);
+    return a - b <= off && b - a <= off;
+#else
+    return is_same(a, b);
+#endif
+}
+
 /* Returns the status of NAME, or 98 if NAME_checked_n has another status or answer, for this pair or for the good
  * pairs. */
 static int as_arrays(arrays *checked_n, const R (*x)[3], int status, const R loc[2], R gap)
@@ -127,7 +141,7 @@ static int as_arrays(arrays *checked_n, const R (*x)[3], int status, const R loc
     checked_n(3, at, xi, eta, g, found);
     if (found[1] != status || !is_good(found[0]) || !is_good(found[2]))
         return 98;
-    return status < 0 || (is_same(xi[1], loc[0]) && is_same(eta[1], loc[1]) && is_same(g[1], gap)) ? status : 98;
+    return status < 0 || (is_equal(xi[1], loc[0]) && is_equal(eta[1], loc[1]) && is_equal(g[1], gap)) ? status : 98;
 }
 
 #ifdef OVER
@@ -148,7 +162,7 @@ static int as_over(over *over_n, const R (*x)[3], int status, const R loc[2], R 
     over_n(nodes, 3, at, xi, eta, g, found);
     for (i = 0; i < 3; i++)
         if (found[i] != status ||
-            (status >= 0 && !(is_same(xi[i], loc[0]) && is_same(eta[i], loc[1]) && is_same(g[i], gap))))
+            (status >= 0 && !(is_equal(xi[i], loc[0]) && is_equal(eta[i], loc[1]) && is_equal(g[i], gap))))
             return 97;
     return status;
 }
@@ -167,6 +181,10 @@ static void expect(int f, const R (*x)[3], int expected, const char *what, int a
 {
     R loc[2] = {7, 7}, gap = 7;
     const int status = function[f].call(x, loc, &gap);
+#if defined __FAST_MATH__ && defined PATCH /* nor is the lack of an area */
+    if (status == FOOTPOINT_UNPROVED && expected == FOOTPOINT_ERR_DEGENERATE)
+        return;
+#endif
     if (status != expected ||
         (status != FOOTPOINT_OK && memcmp(&loc[0], &loc[1], sizeof gap) | memcmp(&loc[0], &gap, sizeof gap)) ||
         (status == FOOTPOINT_OK && gap == 7))
