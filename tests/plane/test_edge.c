@@ -138,6 +138,22 @@ static void same(int i, int status, double xi, double gap)
 #endif
 }
 
+/* Places without proofs are near the foot points of ordinary edges; beyond an end the last step may be larger. */
+static void check_places(int nodes, const double *c[8])
+{
+    (nodes == 2 ? footpoint_edge2_exact_n : footpoint_edge3_accurate_n)(PAIRS, c, xi_of);
+    for (int i = ORDINARY; i < PAIRS; i += FAMILIES) {
+        double x[4][2], xi = 0, gap, at = 0;
+        row_of(i, x);
+        if (nodes == 2)
+            footpoint_edge2_exact_at(x[0], x[1], x[2], &at);
+        else
+            footpoint_edge3_accurate_at(x[0], x[1], x[2], x[3], &at);
+        assert_int_equal(locate(nodes, x, &xi, &gap), FOOTPOINT_OK);
+        assert_true(fabs(at - xi) <= 1e-8 * (1 + fabs(xi)) && fabs(xi_of[i] - xi) <= 1e-8 * (1 + fabs(xi)));
+    }
+}
+
 static void arrays_match_calls(void **state)
 {
     const double *c[8];
@@ -146,6 +162,7 @@ static void arrays_match_calls(void **state)
         double x[4][2], xi = 0, gap = 0;
         int region = 0, status;
         draw_columns(nodes, c);
+        check_places(nodes, c);
         (nodes == 2 ? footpoint_edge2_exact_checked_n : footpoint_edge3_accurate_checked_n)(PAIRS, c, xi_of, gap_of,
                                                                                             status_of);
         for (int i = 0; i < PAIRS; i++) {

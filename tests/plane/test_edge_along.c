@@ -138,17 +138,16 @@ static void bad_lines_have_statuses(void **state)
     }
 }
 
-static void arrays_match_calls(void **state)
+static void check_array(int nodes)
 {
     enum { PAIRS = 50 };
     static double column[8][PAIRS], p[2][PAIRS], xi[PAIRS], dist[PAIRS];
     static int status[PAIRS];
     const double *c[8], *along[2] = {p[0], p[1]};
     uint64_t stream = 12;
-    (void)state;
     for (int i = 0; i < PAIRS; i++) {
-        double x[4][2];
-        draw_edge((enum family)(i % FAMILIES), &stream, 3, x);
+        double x[4][2] = {{0}};
+        draw_edge((enum family)(i % FAMILIES), &stream, nodes, x);
         for (int k = 0; k < 8; k++) {
             column[k][i] = x[k / 2][k % 2];
             c[k] = column[k];
@@ -156,16 +155,23 @@ static void arrays_match_calls(void **state)
         p[0][i] = draw_flat(&stream, -1, 1);
         p[1][i] = draw_flat(&stream, -1, 1);
     }
-    footpoint_edge3_along_n(PAIRS, c, along, xi, dist, status);
+    (nodes == 2 ? footpoint_edge2_along_n : footpoint_edge3_along_n)(PAIRS, c, along, xi, dist, status);
     for (int i = 0; i < PAIRS; i++) {
         const double q[2] = {p[0][i], p[1][i]};
         double x[4][2], at = 0, d = 0;
         for (int k = 0; k < 8; k++)
             x[k / 2][k % 2] = column[k][i];
-        const int one = along_of(3, x, q, &at, &d);
+        const int one = along_of(nodes, x, q, &at, &d);
         assert_int_equal(status[i], one);
         assert_true(one < FOOTPOINT_OK || (xi[i] == at && dist[i] == d));
     }
+}
+
+static void arrays_match_calls(void **state)
+{
+    (void)state;
+    check_array(2);
+    check_array(3);
 }
 
 enum { COORDINATES = 10, PACKED = COORDINATES * (COORDINATES + 1) / 2 };
@@ -218,6 +224,19 @@ static void near_sum(const char *what, double sum, wide differences, double size
         fail_msg("%s: %.17g, by differences %.17g, of %g", what, sum, (double)differences, size);
 }
 
+static void check_gradients(int nodes, double x[4][2], const double p[2], double xi, const struct rows *r)
+{
+    struct rows alone = {.dist = 7};
+    assert_int_equal(
+        nodes == 2
+            ? footpoint_edge2_gradients_along(x[0], x[1], x[2], p, xi, &alone.dist, alone.d[0], alone.d[1])
+            : footpoint_edge3_gradients_along(x[0], x[1], x[2], x[3], p, xi, &alone.dist, alone.d[0], alone.d[1]),
+        FOOTPOINT_OK);
+    assert_true(alone.dist == r->dist);
+    for (int j = 0; j < 2; j++)
+        assert_memory_equal(alone.d[j], r->d[j], (size_t)(2 * nodes + 4) * sizeof *r->d[j]);
+}
+
 static void judge_rows(int nodes, double x[4][2], const double p[2], double xi, const struct rows *r, const double *by)
 {
     const int n = 2 * nodes + 4;
@@ -262,6 +281,7 @@ static void derivatives_match_differences(void **state)
         for (int i = 0; i < 2 * nodes + 4; i++)
             by[i] = draw_flat(&stream, -1, 1) * (i < 2 * nodes + 2 ? 1 : length);
         judge_rows(nodes, x, p, xi, &r, by);
+        check_gradients(nodes, x, p, xi, &r);
     }
     assert_true(refused < lines);
 }
