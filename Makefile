@@ -428,7 +428,7 @@ $(BIN)/tests/test_closest_patches: $(OBJ)/tests/patches/patch_nearest.o
 $(foreach test,promise_curved closest_curved from,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,generated/curved_cases hard/draw)))
 $(BIN)/tests/test_promise_curved $(BIN)/tests/test_from: $(OBJ)/tests/generated/judged_faces.o
 $(foreach test,edge edge_place edge_faces edge_along,$(eval $(BIN)/tests/test_$(test): $(patsubst %,$(OBJ)/tests/%.o,plane/edge_judge hard/draw)))
-$(foreach test,gradients hessian normals,$(eval $(BIN)/tests/test_along_$(test): $(OBJ)/tests/along/along_judge.o))
+$(foreach test,along_gradients along_hessian along_normals place_arrays,$(eval $(BIN)/tests/test_$(test): $(OBJ)/tests/along/along_judge.o))
 $(BIN)/tests/test_promise_tri3: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_promise_float: $(patsubst %,$(OBJ)/tests/hard/%.o,draw hard wild)
 $(BIN)/tests/test_single_curved: $(patsubst %,$(OBJ)/tests/%.o,single/single_cases generated/curved_cases generated/judged_faces hard/draw)
