@@ -475,6 +475,36 @@ static void in_single_precision(void **state)
     scene_free(scene);
 }
 
+/* Answers from last answers, 0.05 off or NaN, are within their promises. */
+static void from_last_answers(void **state)
+{
+    (void)state;
+    struct diag d;
+    struct scene *scene = scene_read(".", "quad4", &d);
+    assert_non_null(scene);
+    const struct face f = {scene, surface_find(scene->segment), 4, stream_new()};
+    int unproved = 0;
+    for (int i = 0; i < SAMPLES / 10; i++) {
+        struct question q;
+        double dist = 7;
+        int region;
+        stream_key(f.stream, SEED, 3, (uint64_t)i, 0);
+        draw(&f, i % 2, &q);
+        if (!answer(&f, &q) || fabs(q.dist) > 0.999 * q.longest)
+            continue;
+        double loc[2] = {q.loc[0] + (i % 5 ? 0.05 : (double)NAN), q.loc[1] - 0.05};
+        const int status =
+            footpoint_quad4_fine_closest_from(q.x[0], q.x[1], q.x[2], q.x[3], q.x[4], loc, &dist, &region);
+        assert_true(status == FOOTPOINT_OK || status == FOOTPOINT_UNPROVED);
+        unproved += status == FOOTPOINT_UNPROVED;
+        assert_true(status != FOOTPOINT_OK || fmax(fabs(loc[0] - q.loc[0]), fabs(loc[1] - q.loc[1])) <= 1.01e-5);
+        assert_true(fabs(fabs(dist) - fabs(q.dist)) < 1e-4 * q.longest);
+    }
+    assert_true(unproved <= SAMPLES / 500);
+    gsl_rng_free(f.stream);
+    scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -485,6 +515,7 @@ int main(void)
         cmocka_unit_test(the_nearest_of_many_faces),
         cmocka_unit_test(sides_of_a_sharp_edge),
         cmocka_unit_test(in_single_precision),
+        cmocka_unit_test(from_last_answers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
