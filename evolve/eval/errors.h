@@ -9,7 +9,7 @@
 struct errors {
     size_t n;
     double mean, p99, max;  /* infinite if a value is not finite */
-    double climbed;         /* largest, including climbing from the worst samples (write/climb.h); 0: not climbed */
+    double climbed;         /* largest, including climbing from the worst samples (write/climb.c); 0: not climbed */
     double band[GAP_BANDS]; /* means in the bands of |gap|; -1: no sample in the band */
 };
 

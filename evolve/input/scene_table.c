@@ -23,7 +23,7 @@ static bool has_no_normals(const struct segment_kind *k)
 }
 
 /* Returns true if segments have taper and warp of their own.  Triangles do not, nor do segments with normals, which come from meshes
- * of smooth bodies (body_samples.h) and end at their edges. */
+ * of smooth bodies (patch_samples.c) and end at their edges. */
 static bool bends(const struct segment_kind *k)
 {
     return has_no_normals(k) && !k->triangle;
