@@ -2,6 +2,7 @@
 #include "../../codegen/program/evaluate.h"
 #include "../../codegen/region/region.h"
 #include "../../codegen/rounding/evidence.h"
+#include "../support/long_cases.h"
 
 #include <float.h>
 #include <math.h>
@@ -297,7 +298,7 @@ static void random_spheres_are_decided(void **state)
 {
     (void)state;
     uint64_t seed = 3;
-    const int cases = getenv("FOOTPOINT_LONG") ? RANDOM_CASES_LONG : RANDOM_CASES;
+    const long cases = long_cases(RANDOM_CASES, RANDOM_CASES_LONG);
     for (int i = 0; i < cases; i++) {
         char code[400];
         double centre[3];

@@ -4,6 +4,7 @@
 #include "../../codegen/base/text.h"
 #include "../../codegen/compile/compile.h"
 #include "../../codegen/prove/prove.h"
+#include "../support/long_cases.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -227,8 +228,7 @@ static void random_programs_are_proved(void **state)
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(random_programs_are_proved)};
-    if (getenv("FOOTPOINT_LONG"))
-        count = 20000;
+    count = (uint64_t)long_cases((long)count, 20000);
     if (argc > 1)
         count = strtoull(argv[1], NULL, 10);
     if (argc > 2)
