@@ -49,7 +49,7 @@ int footpoint_face_nodes(enum footpoint_face face);
 int footpoint_face_locate(enum footpoint_face face, const double *x, double loc[2], double *gap);
 
 /** Calls footpoint_face_locate for n pairs of a slave node and a face, using AVX-512 or AVX2 if available: for
- *  FOOTPOINT_TRI3 with the same bits, otherwise within the promise of 1e-12, because pairs side by side take other steps.
+ *  FOOTPOINT_TRI3 with the same bits, otherwise within the promise, because pairs side by side take other steps.
  *  @param[in]  xyz     nodes x 3, mesh length
  *  @param[in]  seg     n x N node indices, from 0
  *  @param[in]  slave   n node indices
