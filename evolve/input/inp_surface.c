@@ -112,6 +112,8 @@ static bool combine_surfaces(struct inp_model *m, const struct inp_surface *s, s
 {
     for (size_t i = 0; i < s->items.n; i++) {
         const struct inp_item *line = &s->items.item[i];
+        if (line->refused)
+            return inp_fail(&m->lines, line->at, "%s", line->refused);
         struct inp_cover *other = cover_of(m, line->name, line->at, depth + 1);
         if (!other)
             return false;

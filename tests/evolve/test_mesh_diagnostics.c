@@ -76,6 +76,8 @@ static const struct {
     {"*SURFACE\nE, S1\n", "model.inp:1: error: *SURFACE needs NAME="},
     {MODEL SLAVE "*SURFACE, NAME=B, TYPE=CYLINDER\nSTART, 0, 0\n*CONTACT PAIR\nS, B\n",
      "model.inp:12: error: surface type must be ELEMENT or NODE"},
+    {MODEL SLAVE "*SURFACE, NAME=B, TYPE=CUTTING SURFACE, COMBINE=UNION\n*CONTACT PAIR\nS, B\n",
+     "model.inp:12: error: surface type must be ELEMENT or NODE"},
     {"*SURFACE, NAME=B, COMBINE=XOR\n", "model.inp:1: error: COMBINE=XOR must be UNION, INTERSECTION or DIFFERENCE"},
     {MODEL SLAVE "*SURFACE, NAME=B, COMBINE=UNION\nM, C\n*CONTACT PAIR\nS, B\n",
      "model.inp:13: error: surface 'C' is not defined"},

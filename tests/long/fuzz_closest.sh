@@ -16,6 +16,6 @@ cp tests/fuzz/closest/* "$work/corpus"
 "$fuzzer" -max_len=120 -timeout=20 -max_total_time=${FUZZ_SECONDS:-30} -seed=1 -print_final_stats=1 -artifact_prefix="$work/" "$work/corpus" \
     > "$work/log" 2>&1
 status=$?
-[ $status -eq 0 ] || { grep -v '^#' "$work/log" | tail -40 | sed 's/^/# /'; base64 "$work"/crash-* "$work"/timeout-* 2> /dev/null | sed 's/^/# /'; }
+[ $status -eq 0 ] || { grep -v '^#' "$work/log" | tail -40 | sed 's/^/# /'; cat "$work"/crash-* "$work"/timeout-* 2> /dev/null | base64 | sed 's/^/# /'; }
 sed -n 's/^stat::number_of_executed_units: */# runs: /p' "$work/log"
 report $((! status)) 'half a minute of fuzzing'

@@ -18,6 +18,6 @@ cp tests/meshes/decks/*.inp tests/meshes/*[0-9].inp tests/meshes/wedges.inp "$wo
 "$work/fuzzer" -dict="$work/words" -max_len=4000 -timeout=20 -rss_limit_mb=2048 -max_total_time="${FUZZ_SECONDS:-60}" -runs="${FUZZ_RUNS:--1}" -seed=1 \
     -print_final_stats=1 -artifact_prefix="$work/" "$work/corpus" > "$work/log" 2>&1
 status=$?
-[ $status -eq 0 ] || { grep -v '^#' "$work/log" | tail -40; base64 "$work"/crash-* "$work"/timeout-* 2> /dev/null; } | sed 's/^/# /'
+[ $status -eq 0 ] || { grep -v '^#' "$work/log" | tail -40; cat "$work"/crash-* "$work"/timeout-* 2> /dev/null | base64; } | sed 's/^/# /'
 sed -n 's/^stat::number_of_executed_units: */# runs: /p' "$work/log"
 report $((! status)) 'fuzzing contact meshes'

@@ -9,7 +9,7 @@ if clang $flags -fsanitize=fuzzer $sources -lm -o "$work/fuzzer" 2> /dev/null; t
     "$work/fuzzer" -max_len=800 -timeout=20 -rss_limit_mb=2048 -max_total_time=${FUZZ_SECONDS:-60} -seed=1 -print_final_stats=1 \
         -artifact_prefix="$work/" "$work/corpus" > "$work/log" 2>&1
     status=$?
-    [ $status -eq 0 ] || { grep -v '^#' "$work/log" | tail -40 | sed 's/^/# /'; base64 "$work"/crash-* "$work"/timeout-* 2> /dev/null | sed 's/^/# /'; }
+    [ $status -eq 0 ] || { grep -v '^#' "$work/log" | tail -40 | sed 's/^/# /'; cat "$work"/crash-* "$work"/timeout-* 2> /dev/null | base64 | sed 's/^/# /'; }
     sed -n 's/^stat::number_of_executed_units: */# runs: /p' "$work/log"
     report $((! status)) 'a minute of fuzzing the searches'
 else
