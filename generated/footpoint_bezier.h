@@ -95,9 +95,35 @@
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
+#ifndef FOOTPOINT_LOOSE /* 1 if the compiler announces that it may change results: then nothing is proved */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#define FOOTPOINT_LOOSE 1
+#elif defined(_M_FP_FAST) || (defined(__USE_FAST_MATH__) && __USE_FAST_MATH__)
+#define FOOTPOINT_LOOSE 1
+#else
+#define FOOTPOINT_LOOSE 0
+#endif
+#endif
+#ifndef FOOTPOINT_ORDERED /* 1 if a pragma switches off all parts of -ffast-math, of which clang announces few; clang 14
+                           * keeps approximate roots of floats, under -ffast-math -fhonor-nans for instance */
+#if !defined(__clang__) || defined(FOOTPOINT_DEVICE) || __clang_major__ < 12
+#define FOOTPOINT_ORDERED 0
+#elif defined(__x86_64__) || defined(__i386__) || defined(__powerpc64__)
+#define FOOTPOINT_ORDERED 1
+#elif defined(__aarch64__) && __clang_major__ >= 17
+#define FOOTPOINT_ORDERED 1
+#else
+#define FOOTPOINT_ORDERED 0
+#endif
+#endif
 #if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
+#endif
+#if FOOTPOINT_ORDERED
+#pragma float_control(push)
+#pragma float_control(precise, on)
+#pragma STDC FP_CONTRACT DEFAULT /* as the command line says */
 #endif
 
 #ifndef FOOTPOINT_OK
@@ -352,14 +378,10 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS
 #define FOOTPOINT_DETAIL_BOUNDS
-/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
+/* Returns its highest bit set if the compiler may change results, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (unsigned long long)1 << 63;
-#else
-    return 0;
-#endif
+    return (unsigned long long)FOOTPOINT_LOOSE << 63;
 }
 
 /* Returns the greater number; a comparison with NaN raises no exception. */
@@ -400,7 +422,7 @@ FOOTPOINT_PART double footpoint_detail_root_bound(double x)
 #define FOOTPOINT_DETAIL_LOCAL
 /* Tangents u = r_xi and v = r_eta, second derivatives, and d = xS - r. */
 typedef struct {
-    double u[3], v[3], uu[3], uv[3], vv[3], d[3];
+    double u[4], v[4], uu[4], uv[4], vv[4], d[4]; /* the last of four: see patch_three.h */
 } footpoint_detail_local;
 
 /* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the squared distance and per = 1 / det. */
@@ -422,6 +444,68 @@ FOOTPOINT_PART void footpoint_detail_newton_of(const footpoint_detail_local *r,
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_VECTORS
+#define FOOTPOINT_DETAIL_VECTORS
+/* As many of three coordinates and 0, or of four corners, as a register takes: loops over them take THREE or FOUR turns.
+ * Each number rounds as it does without vectors. */
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_DETAIL_PACKED
+#ifdef __AVX__
+enum { FOOTPOINT_DETAIL_PACK = 4, FOOTPOINT_DETAIL_THREE = 1, FOOTPOINT_DETAIL_FOUR = 1 };
+#else
+enum { FOOTPOINT_DETAIL_PACK = 2, FOOTPOINT_DETAIL_THREE = 2, FOOTPOINT_DETAIL_FOUR = 2 };
+#endif
+typedef double footpoint_detail_pack __attribute__((vector_size(FOOTPOINT_DETAIL_PACK * sizeof(double)),
+                                                    aligned(sizeof(double)), may_alias));
+#else
+enum { FOOTPOINT_DETAIL_THREE = 3, FOOTPOINT_DETAIL_FOUR = 4 };
+typedef double footpoint_detail_pack;
+#endif
+
+FOOTPOINT_PART const footpoint_detail_pack *footpoint_detail_of(const double *a)
+{
+    return (const footpoint_detail_pack *)(const void *)a;
+}
+
+FOOTPOINT_PART footpoint_detail_pack *footpoint_detail_into(double *a)
+{
+    return (footpoint_detail_pack *)(void *)a;
+}
+
+/* Writes all at once: vectors are read from memory without delay only if they were written as vectors. */
+FOOTPOINT_PART void footpoint_detail_join(double x, double y, double z, double w, double a[4])
+{
+#if defined(FOOTPOINT_DETAIL_PACKED) && defined(__AVX__)
+    const footpoint_detail_pack all = {x, y, z, w};
+    footpoint_detail_into(a)[0] = all;
+#elif defined(FOOTPOINT_DETAIL_PACKED)
+    const footpoint_detail_pack first = {x, y}, second = {z, w};
+    footpoint_detail_into(a)[0] = first;
+    footpoint_detail_into(a)[1] = second;
+#else
+    a[0] = x;
+    a[1] = y;
+    a[2] = z;
+    a[3] = w;
+#endif
+}
+
+/* Computes the cross product c. */
+FOOTPOINT_PART void footpoint_detail_across(const double a[4], const double b[4], double c[4])
+{
+    double a1[4], a2[4], b1[4], b2[4];
+    int i;
+    footpoint_detail_join(a[1], a[2], a[0], 0.0, a1);
+    footpoint_detail_join(a[2], a[0], a[1], 0.0, a2);
+    footpoint_detail_join(b[1], b[2], b[0], 0.0, b1);
+    footpoint_detail_join(b[2], b[0], b[1], 0.0, b2);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++)
+        footpoint_detail_into(c)[i] = footpoint_detail_of(a1)[i] * footpoint_detail_of(b2)[i] -
+                                      footpoint_detail_of(a2)[i] * footpoint_detail_of(b1)[i];
+}
+#endif
+
 #ifndef FOOTPOINT_DETAIL_NET
 #define FOOTPOINT_DETAIL_NET
 /* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
@@ -439,25 +523,26 @@ FOOTPOINT_PART void footpoint_detail_newton_of(const footpoint_detail_local *r,
  * 20.5 u Q + 8 u P, d without xS 11 u base, second derivatives 29 u P + 9 u Q; xS minus corners 3 u (|D| + 1.1 base),
  * four subtractions 4 u |D| + 2 u base. */
 typedef struct {
-    double e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3], y0[3], y1[3], Y0[3], Y1[3];
+    double e[4], f[4], m[4], d[4], x0[4], x1[4], X0[4], X1[4];
+    double y0[4], y1[4], Y0[4], Y1[4];
     double third[2], base, tilt, place, turn, far;
 } footpoint_detail_net;
 
 /* An edge, and an eighth of its parts along the normals m and n at its ends. */
 typedef struct {
-    double edge[3], begin[3], end[3];
-} footpoint_detail_bent;
+    double edge[4], begin[4], end[4];
+} footpoint_detail_net_bent;
 
-FOOTPOINT_PART void footpoint_detail_bend(const double m[3], const double n[3],
-                                          footpoint_detail_bent *t)
+FOOTPOINT_PART void footpoint_detail_net_bend(const double m[4], const double n[4],
+                                              footpoint_detail_net_bent *t)
 {
     const double first = 0.125 * footpoint_detail_dot(t->edge, m);
     const double second = 0.125 * footpoint_detail_dot(t->edge, n);
     int i;
     FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        t->begin[i] = first * m[i];
-        t->end[i] = second * n[i];
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        footpoint_detail_into(t->begin)[i] = first * footpoint_detail_of(m)[i];
+        footpoint_detail_into(t->end)[i] = second * footpoint_detail_of(n)[i];
     }
 }
 
@@ -483,49 +568,35 @@ FOOTPOINT_PART void footpoint_detail_net_bounds(const double *const *n, footpoin
     t->far = t->base;
 }
 
-/* Computes the edges AB, DC, AD and BC, and d. */
-FOOTPOINT_PART void footpoint_detail_net_edges(const double *const *x, footpoint_detail_bent bent[4],
-                                               footpoint_detail_net *t)
-{
-    int i;
-    footpoint_detail_from(x[0], x[1], bent[0].edge);
-    footpoint_detail_from(x[3], x[2], bent[1].edge);
-    footpoint_detail_from(x[0], x[3], bent[2].edge);
-    footpoint_detail_from(x[1], x[2], bent[3].edge);
-    FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++)
-        t->d[i] = 0.25 * (((x[8][i] - x[0][i]) + (x[8][i] - x[1][i])) +
-                          ((x[8][i] - x[2][i]) + (x[8][i] - x[3][i])));
-}
-
 /* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n, footpoint_detail_bent bent[4],
+FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n,
+                                                footpoint_detail_net_bent bent[4],
                                                 footpoint_detail_net *t)
 {
-    const footpoint_detail_bent *const ab = &bent[0], *const dc = &bent[1], *const ad = &bent[2],
-                                       *const bc = &bent[3];
+    const footpoint_detail_net_bent *const ab = &bent[0], *const dc = &bent[1],
+                                           *const ad = &bent[2], *const bc = &bent[3];
     int i;
-    footpoint_detail_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_bend(n[1], n[2], &bent[3]);
+    footpoint_detail_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_net_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        const double s = ab->begin[i] + ab->end[i], l = ab->begin[i] - ab->end[i];
-        const double S = dc->begin[i] + dc->end[i], L = dc->begin[i] - dc->end[i];
-        const double o = ad->begin[i] + ad->end[i], k = ad->begin[i] - ad->end[i];
-        const double O = bc->begin[i] + bc->end[i], K = bc->begin[i] - bc->end[i];
-        t->e[i] = 0.25 * (ab->edge[i] + dc->edge[i]);
-        t->f[i] = 0.25 * (ad->edge[i] + bc->edge[i]);
-        t->m[i] = 0.5 * (dc->edge[i] - ab->edge[i]);
-        t->x1[i] = 0.5 * (s + S);
-        t->x0[i] = 0.5 * (l + L);
-        t->X1[i] = S - s;
-        t->X0[i] = L - l;
-        t->y1[i] = 0.5 * (o + O);
-        t->y0[i] = 0.5 * (k + K);
-        t->Y1[i] = (O - o) - 0.5 * t->m[i];
-        t->Y0[i] = K - k;
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        const footpoint_detail_pack s = footpoint_detail_of(ab->begin)[i] + footpoint_detail_of(ab->end)[i], l = footpoint_detail_of(ab->begin)[i] - footpoint_detail_of(ab->end)[i];
+        const footpoint_detail_pack S = footpoint_detail_of(dc->begin)[i] + footpoint_detail_of(dc->end)[i], L = footpoint_detail_of(dc->begin)[i] - footpoint_detail_of(dc->end)[i];
+        const footpoint_detail_pack o = footpoint_detail_of(ad->begin)[i] + footpoint_detail_of(ad->end)[i], k = footpoint_detail_of(ad->begin)[i] - footpoint_detail_of(ad->end)[i];
+        const footpoint_detail_pack O = footpoint_detail_of(bc->begin)[i] + footpoint_detail_of(bc->end)[i], K = footpoint_detail_of(bc->begin)[i] - footpoint_detail_of(bc->end)[i];
+        footpoint_detail_into(t->e)[i] = 0.25 * (footpoint_detail_of(ab->edge)[i] + footpoint_detail_of(dc->edge)[i]);
+        footpoint_detail_into(t->f)[i] = 0.25 * (footpoint_detail_of(ad->edge)[i] + footpoint_detail_of(bc->edge)[i]);
+        footpoint_detail_into(t->m)[i] = 0.5 * (footpoint_detail_of(dc->edge)[i] - footpoint_detail_of(ab->edge)[i]);
+        footpoint_detail_into(t->x1)[i] = 0.5 * (s + S);
+        footpoint_detail_into(t->x0)[i] = 0.5 * (l + L);
+        footpoint_detail_into(t->X1)[i] = S - s;
+        footpoint_detail_into(t->X0)[i] = L - l;
+        footpoint_detail_into(t->y1)[i] = 0.5 * (o + O);
+        footpoint_detail_into(t->y0)[i] = 0.5 * (k + K);
+        footpoint_detail_into(t->Y1)[i] = (O - o) - 0.5 * footpoint_detail_of(t->m)[i];
+        footpoint_detail_into(t->Y0)[i] = K - k;
     }
     t->base = (footpoint_detail_sum(ab->edge) + footpoint_detail_sum(dc->edge)) +
               (footpoint_detail_sum(ad->edge) + footpoint_detail_sum(bc->edge));
@@ -542,19 +613,22 @@ FOOTPOINT_PART void footpoint_detail_net_local(const footpoint_detail_net *t, do
     const double g = q * (0.5 + 0.25 * z), g1 = 0.75 * z, g2 = -1.5 * q;
     int i;
     FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        const double X = p * t->m[i] + a * t->X1[i] - w * t->X0[i];
-        const double X1 = t->m[i] + a1 * t->X1[i] + p2 * t->X0[i];
-        const double X2 = 2.0 * t->X0[i] - p6 * t->X1[i];
-        const double Y = c * t->Y1[i] - z * t->Y0[i], Y1 = c1 * t->Y1[i] + q2 * t->Y0[i];
-        const double Y2 = 2.0 * t->Y0[i] - q6 * t->Y1[i];
-        l->d[i] = t->d[i] - p * t->e[i] - q * t->f[i] - (a * t->x1[i] - w * t->x0[i] + g * X) -
-                  (c * t->y1[i] - z * t->y0[i] + b * Y);
-        l->u[i] = t->e[i] + (a1 * t->x1[i] + p2 * t->x0[i]) + g * X1 + b1 * Y;
-        l->v[i] = t->f[i] + (c1 * t->y1[i] + q2 * t->y0[i]) + b * Y1 + g1 * X;
-        l->uu[i] = 2.0 * t->x0[i] - p6 * t->x1[i] + g * X2 + b2 * Y;
-        l->uv[i] = g1 * X1 + b1 * Y1;
-        l->vv[i] = 2.0 * t->y0[i] - q6 * t->y1[i] + b * Y2 + g2 * X;
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        const footpoint_detail_pack X = p * footpoint_detail_of(t->m)[i] + a * footpoint_detail_of(t->X1)[i] - w * footpoint_detail_of(t->X0)[i];
+        const footpoint_detail_pack X1 = footpoint_detail_of(t->m)[i] + a1 * footpoint_detail_of(t->X1)[i] + p2 * footpoint_detail_of(t->X0)[i];
+        const footpoint_detail_pack X2 = 2.0 * footpoint_detail_of(t->X0)[i] - p6 * footpoint_detail_of(t->X1)[i];
+        const footpoint_detail_pack Y = c * footpoint_detail_of(t->Y1)[i] - z * footpoint_detail_of(t->Y0)[i],
+                     Y1 = c1 * footpoint_detail_of(t->Y1)[i] + q2 * footpoint_detail_of(t->Y0)[i];
+        const footpoint_detail_pack Y2 = 2.0 * footpoint_detail_of(t->Y0)[i] - q6 * footpoint_detail_of(t->Y1)[i];
+        footpoint_detail_into(l->d)
+        [i] = footpoint_detail_of(t->d)[i] - p * footpoint_detail_of(t->e)[i] - q * footpoint_detail_of(t->f)[i] -
+              (a * footpoint_detail_of(t->x1)[i] - w * footpoint_detail_of(t->x0)[i] + g * X) -
+              (c * footpoint_detail_of(t->y1)[i] - z * footpoint_detail_of(t->y0)[i] + b * Y);
+        footpoint_detail_into(l->u)[i] = footpoint_detail_of(t->e)[i] + (a1 * footpoint_detail_of(t->x1)[i] + p2 * footpoint_detail_of(t->x0)[i]) + g * X1 + b1 * Y;
+        footpoint_detail_into(l->v)[i] = footpoint_detail_of(t->f)[i] + (c1 * footpoint_detail_of(t->y1)[i] + q2 * footpoint_detail_of(t->y0)[i]) + b * Y1 + g1 * X;
+        footpoint_detail_into(l->uu)[i] = 2.0 * footpoint_detail_of(t->x0)[i] - p6 * footpoint_detail_of(t->x1)[i] + g * X2 + b2 * Y;
+        footpoint_detail_into(l->uv)[i] = g1 * X1 + b1 * Y1;
+        footpoint_detail_into(l->vv)[i] = 2.0 * footpoint_detail_of(t->y0)[i] - q6 * footpoint_detail_of(t->y1)[i] + b * Y2 + g2 * X;
     }
 }
 #endif
@@ -566,7 +640,7 @@ typedef struct {
 } footpoint_detail_bezier_terms;
 
 FOOTPOINT_PART void footpoint_detail_bezier_shape(const double *const *n,
-                                                  footpoint_detail_bent bent[4],
+                                                  footpoint_detail_net_bent bent[4],
                                                   footpoint_detail_bezier_terms *t)
 {
     footpoint_detail_net_expand(n, bent, &t->net);
@@ -599,12 +673,39 @@ FOOTPOINT_PART double footpoint_detail_bezier_ball(double p, double q)
     return 0.125;
 }
 
+/* Computes the edges AB, DC, AD and BC, and d. */
+FOOTPOINT_PART void footpoint_detail_bezier_edges(double x[9][4], footpoint_detail_net_bent bent[4],
+                                                  footpoint_detail_net *t)
+{
+    const footpoint_detail_pack *const a = footpoint_detail_of(x[0]);
+    const footpoint_detail_pack *const b = footpoint_detail_of(x[1]);
+    const footpoint_detail_pack *const c = footpoint_detail_of(x[2]);
+    const footpoint_detail_pack *const d = footpoint_detail_of(x[3]);
+    const footpoint_detail_pack *const s = footpoint_detail_of(x[8]);
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        footpoint_detail_into(bent[0].edge)[i] = b[i] - a[i];
+        footpoint_detail_into(bent[1].edge)[i] = c[i] - d[i];
+        footpoint_detail_into(bent[2].edge)[i] = d[i] - a[i];
+        footpoint_detail_into(bent[3].edge)[i] = c[i] - b[i];
+        footpoint_detail_into(t->d)[i] =
+            0.25 * (((s[i] - a[i]) + (s[i] - b[i])) + ((s[i] - c[i]) + (s[i] - d[i])));
+    }
+}
+
 FOOTPOINT_PART void footpoint_detail_bezier_expand(const double *const *x,
                                                    footpoint_detail_bezier_terms *t)
 {
-    footpoint_detail_bent bent[4];
-    footpoint_detail_net_edges(x, bent, &t->net);
-    footpoint_detail_bezier_shape(x + 4, bent, t);
+    double y[9][4];
+    const double *const n[4] = {y[4], y[5], y[6], y[7]};
+    footpoint_detail_net_bent bent[4];
+    int k;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 9; k++)
+        footpoint_detail_join(x[k][0], x[k][1], x[k][2], 0.0, y[k]);
+    footpoint_detail_bezier_edges(y, bent, &t->net);
+    footpoint_detail_bezier_shape(n, bent, t);
 }
 
 /* Clamps p to the patch. */
@@ -729,25 +830,34 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bezier_step(const footpoint_d
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
 }
 
-/* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step. If that step is short
- * (`near`), the gap and its normal follow from the values before it, to its second order. */
-FOOTPOINT_PART unsigned long long footpoint_detail_bezier_patch(const double *const *x, double promise, int bare,
-                                                                int near, double least, double *xi, double *eta,
-                                                                double *gap)
+/* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step, or the next two inside
+ * the patch if their steps are short. If the last step is short (`near`), the gap and its normal follow from the values
+ * before it, to its second order. */
+FOOTPOINT_APART unsigned long long footpoint_detail_bezier_patch(const double *const *x, double promise, int bare,
+                                                                 int near, double least, double *xi, double *eta,
+                                                                 double *gap)
 {
     footpoint_detail_bezier_terms of;
     footpoint_detail_local r;
-    unsigned long long doubt;
-    double p = *xi, q = *eta, size;
+    footpoint_detail_newton n;
+    unsigned long long doubt = 0, goes_on = (unsigned long long)1 << 63;
+    double p = 0.0, q = 0.0, size;
     int k;
     footpoint_detail_bezier_expand(x, &of);
-    FOOTPOINT_UNROLL
-    for (k = 0; k < bare; k++)
-        footpoint_detail_bezier_bare(&of, &p, &q);
-    footpoint_detail_bezier_local(&of, p, q, &r);
-    *xi = p;
-    *eta = q;
-    doubt = footpoint_detail_bezier_step(&of, &r, promise, xi, eta);
+    for (k = 0; k < bare + 3 && goes_on >> 63; k++) {
+        p = *xi;
+        q = *eta;
+        footpoint_detail_bezier_local(&of, p, q, &r);
+        if (k < bare) {
+            footpoint_detail_newton_of(&r, &n);
+            footpoint_detail_bezier_correct(&r, &n, xi, eta);
+        } else {
+            doubt = footpoint_detail_bezier_step(&of, &r, promise, xi, eta);
+            goes_on = doubt & footpoint_detail_below(*xi - p, 0.25) &
+                      footpoint_detail_below(*eta - q, 0.25) & footpoint_detail_below(*xi, 1.0) &
+                      footpoint_detail_below(*eta, 1.0);
+        }
+    }
     if (near)
         footpoint_detail_bezier_follow(*xi - p, *eta - q, &r);
     else
@@ -1156,14 +1266,10 @@ FOOTPOINT_PART float footpoint_detail_f_dot(const float a[3], const float b[3])
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS_F
 #define FOOTPOINT_DETAIL_BOUNDS_F
-/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
+/* Returns its highest bit set if the compiler may change results, in which case nothing is proved. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (unsigned int)1 << 31;
-#else
-    return 0;
-#endif
+    return (unsigned int)FOOTPOINT_LOOSE << 31;
 }
 
 /* Returns the greater number; a comparison with NaN raises no exception. */
@@ -1204,7 +1310,7 @@ FOOTPOINT_PART float footpoint_detail_f_root_bound(float x)
 #define FOOTPOINT_DETAIL_LOCAL_F
 /* Tangents u = r_xi and v = r_eta, second derivatives, and d = xS - r. */
 typedef struct {
-    float u[3], v[3], uu[3], uv[3], vv[3], d[3];
+    float u[4], v[4], uu[4], uv[4], vv[4], d[4]; /* the last of four: see patch_three.h */
 } footpoint_detail_f_local;
 
 /* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the squared distance and per = 1 / det. */
@@ -1226,8 +1332,8 @@ FOOTPOINT_PART void footpoint_detail_f_newton_of(const footpoint_detail_f_local 
 }
 #endif
 
-#ifndef FOOTPOINT_DETAIL_NET_F
-#define FOOTPOINT_DETAIL_NET_F
+#ifndef FOOTPOINT_DETAIL_LANE_NET_F
+#define FOOTPOINT_DETAIL_LANE_NET_F
 /* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
  * (1 - p^2) (p x1 - x0), and X, y and Y likewise: x bends the mean of the edges AB and DC, X is the excess bend of DC
  * over AB. d = xS - r0.
@@ -1243,25 +1349,26 @@ FOOTPOINT_PART void footpoint_detail_f_newton_of(const footpoint_detail_f_local 
  * 20.5f u Q + 8 u P, d without xS 11 u base, second derivatives 29 u P + 9 u Q; xS minus corners 3 u (|D| + 1.1f base),
  * four subtractions 4 u |D| + 2 u base. */
 typedef struct {
-    float e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3], y0[3], y1[3], Y0[3], Y1[3];
+    float e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3];
+    float y0[3], y1[3], Y0[3], Y1[3];
     float third[2], base, tilt, place, turn, far;
-} footpoint_detail_f_net;
+} footpoint_detail_f_lane_net;
 
 /* An edge, and an eighth of its parts along the normals m and n at its ends. */
 typedef struct {
     float edge[3], begin[3], end[3];
-} footpoint_detail_f_bent;
+} footpoint_detail_f_lane_net_bent;
 
-FOOTPOINT_PART void footpoint_detail_f_bend(const float m[3], const float n[3],
-                                            footpoint_detail_f_bent *t)
+FOOTPOINT_PART void footpoint_detail_f_lane_net_bend(const float m[3], const float n[3],
+                                                     footpoint_detail_f_lane_net_bent *t)
 {
     const float first = 0.125f * footpoint_detail_f_dot(t->edge, m);
     const float second = 0.125f * footpoint_detail_f_dot(t->edge, n);
     int i;
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
-        t->begin[i] = first * m[i];
-        t->end[i] = second * n[i];
+        (t->begin)[i] = first * (m)[i];
+        (t->end)[i] = second * (n)[i];
     }
 }
 
@@ -1269,7 +1376,7 @@ FOOTPOINT_PART void footpoint_detail_f_bend(const float m[3], const float n[3],
  * derivatives, are at most 0.385f, 2.8f, 6.75f; 1, 2.25f, 2; 0.5f, 0.75f, 1.69f, the third derivatives 6, 0, 1.5. Thus
  * third[0] has 0.5f 6 + 2 0.75f 6.75f + 1.69f 2.8f = 17.9f of X1, 2 0.75f 2 + 1.69f 2.25f = 6.9f of X0; 1.5f 0.385f + 2 1.69f 2.8f +
  * 0.75f 6.75f = 15.2f of Y1, 1.5f + 2 1.69f 2.25f + 0.75f 2 = 10.7f of Y0, 1.69f of m; third[1] has 1.5f 1.125f + 2 1.69f of m. */
-FOOTPOINT_PART void footpoint_detail_f_net_bounds(const float *const *n, footpoint_detail_f_net *t)
+FOOTPOINT_PART void footpoint_detail_f_lane_net_bounds(const float *const *n, footpoint_detail_f_lane_net *t)
 {
     const float X0 = footpoint_detail_f_sum(t->X0), X1 = footpoint_detail_f_sum(t->X1);
     const float Y0 = footpoint_detail_f_sum(t->Y0), Y1 = footpoint_detail_f_sum(t->Y1);
@@ -1287,58 +1394,44 @@ FOOTPOINT_PART void footpoint_detail_f_net_bounds(const float *const *n, footpoi
     t->far = t->base;
 }
 
-/* Computes the edges AB, DC, AD and BC, and d. */
-FOOTPOINT_PART void footpoint_detail_f_net_edges(const float *const *x, footpoint_detail_f_bent bent[4],
-                                                 footpoint_detail_f_net *t)
-{
-    int i;
-    footpoint_detail_f_from(x[0], x[1], bent[0].edge);
-    footpoint_detail_f_from(x[3], x[2], bent[1].edge);
-    footpoint_detail_f_from(x[0], x[3], bent[2].edge);
-    footpoint_detail_f_from(x[1], x[2], bent[3].edge);
-    FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++)
-        t->d[i] = 0.25f * (((x[8][i] - x[0][i]) + (x[8][i] - x[1][i])) +
-                           ((x[8][i] - x[2][i]) + (x[8][i] - x[3][i])));
-}
-
 /* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_f_net_expand(const float *const *n, footpoint_detail_f_bent bent[4],
-                                                  footpoint_detail_f_net *t)
+FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const float *const *n,
+                                                       footpoint_detail_f_lane_net_bent bent[4],
+                                                       footpoint_detail_f_lane_net *t)
 {
-    const footpoint_detail_f_bent *const ab = &bent[0], *const dc = &bent[1], *const ad = &bent[2],
-                                       *const bc = &bent[3];
+    const footpoint_detail_f_lane_net_bent *const ab = &bent[0], *const dc = &bent[1],
+                                           *const ad = &bent[2], *const bc = &bent[3];
     int i;
-    footpoint_detail_f_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_f_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_f_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_f_bend(n[1], n[2], &bent[3]);
+    footpoint_detail_f_lane_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_f_lane_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_f_lane_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_f_lane_net_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
-        const float s = ab->begin[i] + ab->end[i], l = ab->begin[i] - ab->end[i];
-        const float S = dc->begin[i] + dc->end[i], L = dc->begin[i] - dc->end[i];
-        const float o = ad->begin[i] + ad->end[i], k = ad->begin[i] - ad->end[i];
-        const float O = bc->begin[i] + bc->end[i], K = bc->begin[i] - bc->end[i];
-        t->e[i] = 0.25f * (ab->edge[i] + dc->edge[i]);
-        t->f[i] = 0.25f * (ad->edge[i] + bc->edge[i]);
-        t->m[i] = 0.5f * (dc->edge[i] - ab->edge[i]);
-        t->x1[i] = 0.5f * (s + S);
-        t->x0[i] = 0.5f * (l + L);
-        t->X1[i] = S - s;
-        t->X0[i] = L - l;
-        t->y1[i] = 0.5f * (o + O);
-        t->y0[i] = 0.5f * (k + K);
-        t->Y1[i] = (O - o) - 0.5f * t->m[i];
-        t->Y0[i] = K - k;
+        const float s = (ab->begin)[i] + (ab->end)[i], l = (ab->begin)[i] - (ab->end)[i];
+        const float S = (dc->begin)[i] + (dc->end)[i], L = (dc->begin)[i] - (dc->end)[i];
+        const float o = (ad->begin)[i] + (ad->end)[i], k = (ad->begin)[i] - (ad->end)[i];
+        const float O = (bc->begin)[i] + (bc->end)[i], K = (bc->begin)[i] - (bc->end)[i];
+        (t->e)[i] = 0.25f * ((ab->edge)[i] + (dc->edge)[i]);
+        (t->f)[i] = 0.25f * ((ad->edge)[i] + (bc->edge)[i]);
+        (t->m)[i] = 0.5f * ((dc->edge)[i] - (ab->edge)[i]);
+        (t->x1)[i] = 0.5f * (s + S);
+        (t->x0)[i] = 0.5f * (l + L);
+        (t->X1)[i] = S - s;
+        (t->X0)[i] = L - l;
+        (t->y1)[i] = 0.5f * (o + O);
+        (t->y0)[i] = 0.5f * (k + K);
+        (t->Y1)[i] = (O - o) - 0.5f * (t->m)[i];
+        (t->Y0)[i] = K - k;
     }
     t->base = (footpoint_detail_f_sum(ab->edge) + footpoint_detail_f_sum(dc->edge)) +
               (footpoint_detail_f_sum(ad->edge) + footpoint_detail_f_sum(bc->edge));
-    footpoint_detail_f_net_bounds(n, t);
+    footpoint_detail_f_lane_net_bounds(n, t);
 }
 
 /* Computes tangents and second derivatives at (p,q), and d = xS - r. */
-FOOTPOINT_PART void footpoint_detail_f_net_local(const footpoint_detail_f_net *t, float p, float q,
-                                                 footpoint_detail_f_local *l)
+FOOTPOINT_PART void footpoint_detail_f_lane_net_local(const footpoint_detail_f_lane_net *t, float p, float q,
+                                                      footpoint_detail_f_local *l)
 {
     const float w = 1.0f - p * p, a = p * w, a1 = 1.0f - 3.0f * (p * p), p2 = p + p, p6 = 6.0f * p;
     const float z = 1.0f - q * q, c = q * z, c1 = 1.0f - 3.0f * (q * q), q2 = q + q, q6 = 6.0f * q;
@@ -1347,18 +1440,21 @@ FOOTPOINT_PART void footpoint_detail_f_net_local(const footpoint_detail_f_net *t
     int i;
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
-        const float X = p * t->m[i] + a * t->X1[i] - w * t->X0[i];
-        const float X1 = t->m[i] + a1 * t->X1[i] + p2 * t->X0[i];
-        const float X2 = 2.0f * t->X0[i] - p6 * t->X1[i];
-        const float Y = c * t->Y1[i] - z * t->Y0[i], Y1 = c1 * t->Y1[i] + q2 * t->Y0[i];
-        const float Y2 = 2.0f * t->Y0[i] - q6 * t->Y1[i];
-        l->d[i] = t->d[i] - p * t->e[i] - q * t->f[i] - (a * t->x1[i] - w * t->x0[i] + g * X) -
-                  (c * t->y1[i] - z * t->y0[i] + b * Y);
-        l->u[i] = t->e[i] + (a1 * t->x1[i] + p2 * t->x0[i]) + g * X1 + b1 * Y;
-        l->v[i] = t->f[i] + (c1 * t->y1[i] + q2 * t->y0[i]) + b * Y1 + g1 * X;
-        l->uu[i] = 2.0f * t->x0[i] - p6 * t->x1[i] + g * X2 + b2 * Y;
-        l->uv[i] = g1 * X1 + b1 * Y1;
-        l->vv[i] = 2.0f * t->y0[i] - q6 * t->y1[i] + b * Y2 + g2 * X;
+        const float X = p * (t->m)[i] + a * (t->X1)[i] - w * (t->X0)[i];
+        const float X1 = (t->m)[i] + a1 * (t->X1)[i] + p2 * (t->X0)[i];
+        const float X2 = 2.0f * (t->X0)[i] - p6 * (t->X1)[i];
+        const float Y = c * (t->Y1)[i] - z * (t->Y0)[i],
+                     Y1 = c1 * (t->Y1)[i] + q2 * (t->Y0)[i];
+        const float Y2 = 2.0f * (t->Y0)[i] - q6 * (t->Y1)[i];
+        (l->d)
+        [i] = (t->d)[i] - p * (t->e)[i] - q * (t->f)[i] -
+              (a * (t->x1)[i] - w * (t->x0)[i] + g * X) -
+              (c * (t->y1)[i] - z * (t->y0)[i] + b * Y);
+        (l->u)[i] = (t->e)[i] + (a1 * (t->x1)[i] + p2 * (t->x0)[i]) + g * X1 + b1 * Y;
+        (l->v)[i] = (t->f)[i] + (c1 * (t->y1)[i] + q2 * (t->y0)[i]) + b * Y1 + g1 * X;
+        (l->uu)[i] = 2.0f * (t->x0)[i] - p6 * (t->x1)[i] + g * X2 + b2 * Y;
+        (l->uv)[i] = g1 * X1 + b1 * Y1;
+        (l->vv)[i] = 2.0f * (t->y0)[i] - q6 * (t->y1)[i] + b * Y2 + g2 * X;
     }
 }
 #endif
@@ -1417,19 +1513,20 @@ FOOTPOINT_APART void footpoint_detail_f_narrow(footpoint_detail_f_block *FOOTPOI
 #ifndef FOOTPOINT_BEZIER_LANES_F
 #define FOOTPOINT_BEZIER_LANES_F
 typedef struct {
-    footpoint_detail_f_net net;
+    footpoint_detail_f_lane_net net;
 } footpoint_detail_f_bezier_lanes_terms;
 
-FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_shape(const float *const *n, footpoint_detail_f_bent bent[4],
+FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_shape(const float *const *n,
+                                                          footpoint_detail_f_lane_net_bent bent[4],
                                                           footpoint_detail_f_bezier_lanes_terms *t)
 {
-    footpoint_detail_f_net_expand(n, bent, &t->net);
+    footpoint_detail_f_lane_net_expand(n, bent, &t->net);
 }
 
 FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_local(const footpoint_detail_f_bezier_lanes_terms *t, float p,
                                                           float q, footpoint_detail_f_local *l)
 {
-    footpoint_detail_f_net_local(&t->net, p, q, l);
+    footpoint_detail_f_lane_net_local(&t->net, p, q, l);
 }
 
 FOOTPOINT_PART float footpoint_detail_f_bezier_lanes_inner(const footpoint_detail_f_bezier_lanes_terms *t, float p,
@@ -1443,14 +1540,6 @@ FOOTPOINT_PART float footpoint_detail_f_bezier_lanes_ball(float p, float q)
 {
     (void)p, (void)q;
     return 0.125f;
-}
-
-FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_expand(const float *const *x,
-                                                           footpoint_detail_f_bezier_lanes_terms *t)
-{
-    footpoint_detail_f_bent bent[4];
-    footpoint_detail_f_net_edges(x, bent, &t->net);
-    footpoint_detail_f_bezier_lanes_shape(x + 4, bent, t);
 }
 
 /* Clamps p to the patch. */
@@ -1611,7 +1700,7 @@ FOOTPOINT_APART void footpoint_detail_f_bezier_lanes_shapes(const footpoint_deta
     FOOTPOINT_EACH
     for (l = 0; l < FOOTPOINT_LANES; l++) {
         footpoint_detail_f_bezier_lanes_one one;
-        footpoint_detail_f_bent bent[4];
+        footpoint_detail_f_lane_net_bent bent[4];
         float n[4][3];
         const float *const normal[4] = {n[0], n[1], n[2], n[3]};
         FOOTPOINT_WHOLE
@@ -1622,6 +1711,9 @@ FOOTPOINT_APART void footpoint_detail_f_bezier_lanes_shapes(const footpoint_deta
                 n[k][i] = b->normal[k][i][l];
             }
         }
+        FOOTPOINT_WHOLE
+        for (i = 0; i < 3; i++) /* copied, but not computed here */
+            one.of.net.d[i] = one.v[footpoint_detail_f_bezier_lanes_count - 1][i] = 0.0f;
         footpoint_detail_f_bezier_lanes_shape(normal, bent, &one.of);
         FOOTPOINT_WHOLE
         for (k = 0; k < footpoint_detail_f_bezier_lanes_count; k++) {
@@ -1846,6 +1938,133 @@ FOOTPOINT_APART void footpoint_detail_f_bezier_lanes_run(footpoint_detail_f_bezi
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_LANE_NET
+#define FOOTPOINT_DETAIL_LANE_NET
+/* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
+ * (1 - p^2) (p x1 - x0), and X, y and Y likewise: x bends the mean of the edges AB and DC, X is the excess bend of DC
+ * over AB. d = xS - r0.
+ *
+ * third: bounds of |r_ppp| + 2 |r_ppq| + |r_pqq|, and with p and q exchanged, within 1/8 of the patch. base: the sum of
+ * the edges' absolute coordinates; tilt: the largest square of a normal. Rounding, in units of u = 1.11e-16, if tilt <=
+ * 1.01: coordinates of d are off by place + 9 |D|, of tangents by turn, of second derivatives by 280 far, and r_p, r_q
+ * <= 2.5 far, r_pp, r_pq, r_qq <= 3.5 far.
+ *
+ * Derivation: P = |AB| + |DC|, Q = |AD| + |BC|, base = P + Q. begin and end are at most 0.127 of an edge, off by 0.64 u
+ * of it, so x1 and x0 are 0.127 P, off by 0.9 u P; X1, X0, Y0 twice that; Y1 0.51 Q, off by 2.3 u Q + 0.5 u P. |p| <=
+ * 1: |a| <= 0.385, |a1| <= 2, |b| <= 0.5, |b1| <= 0.75, off by 1.4, 8, 1.5, 1.5 u. In total, including sums: tangents
+ * 20.5 u Q + 8 u P, d without xS 11 u base, second derivatives 29 u P + 9 u Q; xS minus corners 3 u (|D| + 1.1 base),
+ * four subtractions 4 u |D| + 2 u base. */
+typedef struct {
+    double e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3];
+    double y0[3], y1[3], Y0[3], Y1[3];
+    double third[2], base, tilt, place, turn, far;
+} footpoint_detail_lane_net;
+
+/* An edge, and an eighth of its parts along the normals m and n at its ends. */
+typedef struct {
+    double edge[3], begin[3], end[3];
+} footpoint_detail_lane_net_bent;
+
+FOOTPOINT_PART void footpoint_detail_lane_net_bend(const double m[3], const double n[3],
+                                                   footpoint_detail_lane_net_bent *t)
+{
+    const double first = 0.125 * footpoint_detail_dot(t->edge, m);
+    const double second = 0.125 * footpoint_detail_dot(t->edge, n);
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        (t->begin)[i] = first * (m)[i];
+        (t->end)[i] = second * (n)[i];
+    }
+}
+
+/* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125, a, w and b, and their first and second
+ * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
+ * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
+ * 0.75 6.75 = 15.2 of Y1, 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7 of Y0, 1.69 of m; third[1] has 1.5 1.125 + 2 1.69 of m. */
+FOOTPOINT_PART void footpoint_detail_lane_net_bounds(const double *const *n, footpoint_detail_lane_net *t)
+{
+    const double X0 = footpoint_detail_sum(t->X0), X1 = footpoint_detail_sum(t->X1);
+    const double Y0 = footpoint_detail_sum(t->Y0), Y1 = footpoint_detail_sum(t->Y1);
+    const double m = footpoint_detail_sum(t->m);
+    t->third[0] =
+        6.0 * footpoint_detail_sum(t->x1) + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
+    t->third[1] =
+        6.0 * footpoint_detail_sum(t->y1) + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
+    t->tilt = footpoint_detail_greater(footpoint_detail_greater(footpoint_detail_dot(n[0], n[0]),
+                                                                footpoint_detail_dot(n[1], n[1])),
+                                       footpoint_detail_greater(footpoint_detail_dot(n[2], n[2]),
+                                                                footpoint_detail_dot(n[3], n[3])));
+    t->place = 29.0 * t->base;
+    t->turn = 35.0 * t->base;
+    t->far = t->base;
+}
+
+/* Computes the net from edges and normals n. */
+FOOTPOINT_PART void footpoint_detail_lane_net_expand(const double *const *n,
+                                                     footpoint_detail_lane_net_bent bent[4],
+                                                     footpoint_detail_lane_net *t)
+{
+    const footpoint_detail_lane_net_bent *const ab = &bent[0], *const dc = &bent[1],
+                                           *const ad = &bent[2], *const bc = &bent[3];
+    int i;
+    footpoint_detail_lane_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_lane_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_lane_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_lane_net_bend(n[1], n[2], &bent[3]);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const double s = (ab->begin)[i] + (ab->end)[i], l = (ab->begin)[i] - (ab->end)[i];
+        const double S = (dc->begin)[i] + (dc->end)[i], L = (dc->begin)[i] - (dc->end)[i];
+        const double o = (ad->begin)[i] + (ad->end)[i], k = (ad->begin)[i] - (ad->end)[i];
+        const double O = (bc->begin)[i] + (bc->end)[i], K = (bc->begin)[i] - (bc->end)[i];
+        (t->e)[i] = 0.25 * ((ab->edge)[i] + (dc->edge)[i]);
+        (t->f)[i] = 0.25 * ((ad->edge)[i] + (bc->edge)[i]);
+        (t->m)[i] = 0.5 * ((dc->edge)[i] - (ab->edge)[i]);
+        (t->x1)[i] = 0.5 * (s + S);
+        (t->x0)[i] = 0.5 * (l + L);
+        (t->X1)[i] = S - s;
+        (t->X0)[i] = L - l;
+        (t->y1)[i] = 0.5 * (o + O);
+        (t->y0)[i] = 0.5 * (k + K);
+        (t->Y1)[i] = (O - o) - 0.5 * (t->m)[i];
+        (t->Y0)[i] = K - k;
+    }
+    t->base = (footpoint_detail_sum(ab->edge) + footpoint_detail_sum(dc->edge)) +
+              (footpoint_detail_sum(ad->edge) + footpoint_detail_sum(bc->edge));
+    footpoint_detail_lane_net_bounds(n, t);
+}
+
+/* Computes tangents and second derivatives at (p,q), and d = xS - r. */
+FOOTPOINT_PART void footpoint_detail_lane_net_local(const footpoint_detail_lane_net *t, double p, double q,
+                                                    footpoint_detail_local *l)
+{
+    const double w = 1.0 - p * p, a = p * w, a1 = 1.0 - 3.0 * (p * p), p2 = p + p, p6 = 6.0 * p;
+    const double z = 1.0 - q * q, c = q * z, c1 = 1.0 - 3.0 * (q * q), q2 = q + q, q6 = 6.0 * q;
+    const double b = p * (0.5 + 0.25 * w), b1 = 0.75 * w, b2 = -1.5 * p;
+    const double g = q * (0.5 + 0.25 * z), g1 = 0.75 * z, g2 = -1.5 * q;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const double X = p * (t->m)[i] + a * (t->X1)[i] - w * (t->X0)[i];
+        const double X1 = (t->m)[i] + a1 * (t->X1)[i] + p2 * (t->X0)[i];
+        const double X2 = 2.0 * (t->X0)[i] - p6 * (t->X1)[i];
+        const double Y = c * (t->Y1)[i] - z * (t->Y0)[i],
+                     Y1 = c1 * (t->Y1)[i] + q2 * (t->Y0)[i];
+        const double Y2 = 2.0 * (t->Y0)[i] - q6 * (t->Y1)[i];
+        (l->d)
+        [i] = (t->d)[i] - p * (t->e)[i] - q * (t->f)[i] -
+              (a * (t->x1)[i] - w * (t->x0)[i] + g * X) -
+              (c * (t->y1)[i] - z * (t->y0)[i] + b * Y);
+        (l->u)[i] = (t->e)[i] + (a1 * (t->x1)[i] + p2 * (t->x0)[i]) + g * X1 + b1 * Y;
+        (l->v)[i] = (t->f)[i] + (c1 * (t->y1)[i] + q2 * (t->y0)[i]) + b * Y1 + g1 * X;
+        (l->uu)[i] = 2.0 * (t->x0)[i] - p6 * (t->x1)[i] + g * X2 + b2 * Y;
+        (l->uv)[i] = g1 * X1 + b1 * Y1;
+        (l->vv)[i] = 2.0 * (t->y0)[i] - q6 * (t->y1)[i] + b * Y2 + g2 * X;
+    }
+}
+#endif
+
 #ifndef FOOTPOINT_DETAIL_BLOCK
 #define FOOTPOINT_DETAIL_BLOCK
 /* Vectors x of pairs; edges AB, DC, AD, BC, normals, and xS minus the middle, for the search, in a unit of length in
@@ -1900,19 +2119,20 @@ FOOTPOINT_APART void footpoint_detail_narrow(footpoint_detail_block *FOOTPOINT_R
 #ifndef FOOTPOINT_BEZIER_LANES
 #define FOOTPOINT_BEZIER_LANES
 typedef struct {
-    footpoint_detail_net net;
+    footpoint_detail_lane_net net;
 } footpoint_detail_bezier_lanes_terms;
 
-FOOTPOINT_PART void footpoint_detail_bezier_lanes_shape(const double *const *n, footpoint_detail_bent bent[4],
+FOOTPOINT_PART void footpoint_detail_bezier_lanes_shape(const double *const *n,
+                                                        footpoint_detail_lane_net_bent bent[4],
                                                         footpoint_detail_bezier_lanes_terms *t)
 {
-    footpoint_detail_net_expand(n, bent, &t->net);
+    footpoint_detail_lane_net_expand(n, bent, &t->net);
 }
 
 FOOTPOINT_PART void footpoint_detail_bezier_lanes_local(const footpoint_detail_bezier_lanes_terms *t, double p,
                                                         double q, footpoint_detail_local *l)
 {
-    footpoint_detail_net_local(&t->net, p, q, l);
+    footpoint_detail_lane_net_local(&t->net, p, q, l);
 }
 
 FOOTPOINT_PART double footpoint_detail_bezier_lanes_inner(const footpoint_detail_bezier_lanes_terms *t, double p,
@@ -1926,14 +2146,6 @@ FOOTPOINT_PART double footpoint_detail_bezier_lanes_ball(double p, double q)
 {
     (void)p, (void)q;
     return 0.125;
-}
-
-FOOTPOINT_PART void footpoint_detail_bezier_lanes_expand(const double *const *x,
-                                                         footpoint_detail_bezier_lanes_terms *t)
-{
-    footpoint_detail_bent bent[4];
-    footpoint_detail_net_edges(x, bent, &t->net);
-    footpoint_detail_bezier_lanes_shape(x + 4, bent, t);
 }
 
 /* Clamps p to the patch. */
@@ -2094,7 +2306,7 @@ FOOTPOINT_APART void footpoint_detail_bezier_lanes_shapes(const footpoint_detail
     FOOTPOINT_EACH
     for (l = 0; l < FOOTPOINT_LANES; l++) {
         footpoint_detail_bezier_lanes_one one;
-        footpoint_detail_bent bent[4];
+        footpoint_detail_lane_net_bent bent[4];
         double n[4][3];
         const double *const normal[4] = {n[0], n[1], n[2], n[3]};
         FOOTPOINT_WHOLE
@@ -2105,6 +2317,9 @@ FOOTPOINT_APART void footpoint_detail_bezier_lanes_shapes(const footpoint_detail
                 n[k][i] = b->normal[k][i][l];
             }
         }
+        FOOTPOINT_WHOLE
+        for (i = 0; i < 3; i++) /* copied, but not computed here */
+            one.of.net.d[i] = one.v[footpoint_detail_bezier_lanes_count - 1][i] = 0.0;
         footpoint_detail_bezier_lanes_shape(normal, bent, &one.of);
         FOOTPOINT_WHOLE
         for (k = 0; k < footpoint_detail_bezier_lanes_count; k++) {
@@ -3413,7 +3628,7 @@ FOOTPOINT_COLD int footpoint_detail_bezier_split(const footpoint_detail_bezier_t
         least = footpoint_detail_bezier_least_of(&c, h);
         start[0] = middle[0];
         start[1] = middle[1];
-        if (least > most) {
+        if (least > most + z->off_dd) { /* as `most` is off by that */
             top--;
             continue;
         }
@@ -5624,5 +5839,9 @@ FOOTPOINT_FN int footpoint_bezier_full_closest_of(size_t n, const double *const 
     return footpoint_detail_bezier_proved_closest_of(footpoint_bezier_full_detail_nearby, n, x, xS, 1, FOOTPOINT_BEZIER_FULL_PROMISE,
                                                      loc, dist, region, which);
 }
+
+#if FOOTPOINT_ORDERED
+#pragma float_control(pop)
+#endif
 
 #endif

@@ -90,9 +90,35 @@
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
+#ifndef FOOTPOINT_LOOSE /* 1 if the compiler announces that it may change results: then nothing is proved */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#define FOOTPOINT_LOOSE 1
+#elif defined(_M_FP_FAST) || (defined(__USE_FAST_MATH__) && __USE_FAST_MATH__)
+#define FOOTPOINT_LOOSE 1
+#else
+#define FOOTPOINT_LOOSE 0
+#endif
+#endif
+#ifndef FOOTPOINT_ORDERED /* 1 if a pragma switches off all parts of -ffast-math, of which clang announces few; clang 14
+                           * keeps approximate roots of floats, under -ffast-math -fhonor-nans for instance */
+#if !defined(__clang__) || defined(FOOTPOINT_DEVICE) || __clang_major__ < 12
+#define FOOTPOINT_ORDERED 0
+#elif defined(__x86_64__) || defined(__i386__) || defined(__powerpc64__)
+#define FOOTPOINT_ORDERED 1
+#elif defined(__aarch64__) && __clang_major__ >= 17
+#define FOOTPOINT_ORDERED 1
+#else
+#define FOOTPOINT_ORDERED 0
+#endif
+#endif
 #if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
+#endif
+#if FOOTPOINT_ORDERED
+#pragma float_control(push)
+#pragma float_control(precise, on)
+#pragma STDC FP_CONTRACT DEFAULT /* as the command line says */
 #endif
 
 #ifndef FOOTPOINT_OK
@@ -983,5 +1009,9 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
             status[i] = placed == FOOTPOINT_OK ? status[i] : placed; \
         } \
 }
+
+#if FOOTPOINT_ORDERED
+#pragma float_control(pop)
+#endif
 
 #endif

@@ -95,9 +95,35 @@
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
+#ifndef FOOTPOINT_LOOSE /* 1 if the compiler announces that it may change results: then nothing is proved */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#define FOOTPOINT_LOOSE 1
+#elif defined(_M_FP_FAST) || (defined(__USE_FAST_MATH__) && __USE_FAST_MATH__)
+#define FOOTPOINT_LOOSE 1
+#else
+#define FOOTPOINT_LOOSE 0
+#endif
+#endif
+#ifndef FOOTPOINT_ORDERED /* 1 if a pragma switches off all parts of -ffast-math, of which clang announces few; clang 14
+                           * keeps approximate roots of floats, under -ffast-math -fhonor-nans for instance */
+#if !defined(__clang__) || defined(FOOTPOINT_DEVICE) || __clang_major__ < 12
+#define FOOTPOINT_ORDERED 0
+#elif defined(__x86_64__) || defined(__i386__) || defined(__powerpc64__)
+#define FOOTPOINT_ORDERED 1
+#elif defined(__aarch64__) && __clang_major__ >= 17
+#define FOOTPOINT_ORDERED 1
+#else
+#define FOOTPOINT_ORDERED 0
+#endif
+#endif
 #if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
+#endif
+#if FOOTPOINT_ORDERED
+#pragma float_control(push)
+#pragma float_control(precise, on)
+#pragma STDC FP_CONTRACT DEFAULT /* as the command line says */
 #endif
 
 #ifndef FOOTPOINT_OK
@@ -352,14 +378,10 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS
 #define FOOTPOINT_DETAIL_BOUNDS
-/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
+/* Returns its highest bit set if the compiler may change results, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (unsigned long long)1 << 63;
-#else
-    return 0;
-#endif
+    return (unsigned long long)FOOTPOINT_LOOSE << 63;
 }
 
 /* Returns the greater number; a comparison with NaN raises no exception. */
@@ -1341,14 +1363,10 @@ FOOTPOINT_PART float footpoint_detail_f_dot(const float a[3], const float b[3])
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS_F
 #define FOOTPOINT_DETAIL_BOUNDS_F
-/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
+/* Returns its highest bit set if the compiler may change results, in which case nothing is proved. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (unsigned int)1 << 31;
-#else
-    return 0;
-#endif
+    return (unsigned int)FOOTPOINT_LOOSE << 31;
 }
 
 /* Returns the greater number; a comparison with NaN raises no exception. */
@@ -1385,8 +1403,31 @@ FOOTPOINT_PART float footpoint_detail_f_root_bound(float x)
 }
 #endif
 
-#ifndef FOOTPOINT_QUAD4_BLOCK
-#define FOOTPOINT_QUAD4_BLOCK
+#ifndef FOOTPOINT_QUAD4_SIDE_ROOT
+#define FOOTPOINT_QUAD4_SIDE_ROOT
+/* Computes 1 / sqrt(x) of ordinary x. It avoids sqrt if that may set errno, because then loops would not vectorise. */
+FOOTPOINT_PART double footpoint_detail_quad4_side_root(double x)
+{
+#if defined(__NO_MATH_ERRNO__) || !defined(__GNUC__)
+    return 1.0 / sqrt(x);
+#else
+    union {
+        double number;
+        unsigned long long bits;
+    } y;
+    const double half = 0.5 * x;
+    double e;
+    y.bits = 0x5fe6eb50c7b537a9ull - footpoint_detail_bits(x) / 2;
+    y.number *= 1.5 - half * (y.number * y.number);
+    y.number *= 1.5 - half * (y.number * y.number);
+    e = 0.5 - half * (y.number * y.number);
+    return y.number + y.number * e * (1.0 + 1.5 * e);
+#endif
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_QUAD4_BLOCK
+#define FOOTPOINT_QUAD4_QUAD4_BLOCK
 enum { footpoint_detail_quad4_side = 32 }; /* pairs at a time */
 
 /* Holds values of pairs. `vector` has a, b, c and d, with 4 r = c0 + xi a + eta b + xi eta c and d = 4 xS - c0;
@@ -1430,26 +1471,6 @@ FOOTPOINT_APART void footpoint_detail_quad4_side_narrow(const double *const *x,
             }
         }
     }
-}
-
-/* Computes 1 / sqrt(x) of ordinary x. It avoids sqrt if that may set errno, because then loops would not vectorise. */
-FOOTPOINT_PART double footpoint_detail_quad4_side_root(double x)
-{
-#if defined(__NO_MATH_ERRNO__) || !defined(__GNUC__)
-    return 1.0 / sqrt(x);
-#else
-    union {
-        double number;
-        unsigned long long bits;
-    } y;
-    const double half = 0.5 * x;
-    double e;
-    y.bits = 0x5fe6eb50c7b537a9ull - footpoint_detail_bits(x) / 2;
-    y.number *= 1.5 - half * (y.number * y.number);
-    y.number *= 1.5 - half * (y.number * y.number);
-    e = 0.5 - half * (y.number * y.number);
-    return y.number + y.number * e * (1.0 + 1.5 * e);
-#endif
 }
 
 /* Computes the slopes and the gap at (xi,eta), if they are asked for. Slopes are f = r_xi . D and g = r_eta . D with D
@@ -1500,8 +1521,52 @@ FOOTPOINT_APART void footpoint_detail_quad4_side_slopes_and_gaps(footpoint_detai
 }
 #endif
 
-#ifndef FOOTPOINT_QUAD4_SIDE_F
-#define FOOTPOINT_QUAD4_SIDE_F
+#ifndef FOOTPOINT_QUAD4_SIDE_CORRECT_F
+#define FOOTPOINT_QUAD4_SIDE_CORRECT_F
+/* Returns the greater of two numbers >= 0, or NaN. It compares bits, because vector instructions for maxima raise
+ * exceptions of NaN. */
+FOOTPOINT_PART float footpoint_detail_f_quad4_side_greater(float a, float b)
+{
+    union {
+        unsigned int bits;
+        float number;
+    } most;
+    const unsigned int x = footpoint_detail_f_bits(a), y = footpoint_detail_f_bits(b);
+    most.bits = x > y ? x : y;
+    return most.number;
+}
+
+/* Moves the answer by A (f,g).  See footpoint_detail_f_quad4_side_bound. */
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_correct(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t, int l,
+                                                          float f,
+                                                          float g, float promise)
+{
+    const float s1 = t->a11[l] * f, s2 = t->a12[l] * g, t1 = t->a12[l] * f, t2 = t->a22[l] * g;
+    const float sum = footpoint_detail_f_quad4_side_greater(fabsf(s1) + fabsf(s2), fabsf(t1) + fabsf(t2));
+    const float off = 5.0f * 6e-8f * sum + t->off[l];
+    const float step = footpoint_detail_f_quad4_side_greater(fabsf(s1 + s2), fabsf(t1 + t2)) + off;
+    const float h = t->most[l] + t->turn[l] * step;
+    const float room = 0.999f * promise - 4e-15f - (1.3f * h * step + 1.01f * off);
+    t->xi[l] += (double)(s1 + s2);
+    t->eta[l] += (double)(t1 + t2);
+    t->most[l] = h;
+    t->doubt[l] |= footpoint_detail_f_bits(0.08f - step) | footpoint_detail_f_bits(0.199f - h) |
+                   footpoint_detail_f_bits(t->flat[l] - t->bend[l] * step);
+    t->wide[l] = footpoint_detail_f_bits(room) | footpoint_detail_f_infinite(room);
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_corrections(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                               float promise)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad4_side; l++)
+        footpoint_detail_f_quad4_side_correct(t, l, (float)t->f[l], (float)t->g[l], promise);
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_QUAD4_SIDE_F
+#define FOOTPOINT_QUAD4_QUAD4_SIDE_F
 /* Computes products. Sets doubt if the unit of length is out of range. */
 FOOTPOINT_APART void footpoint_detail_f_quad4_side_products(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
 {
@@ -1610,47 +1675,6 @@ FOOTPOINT_APART void footpoint_detail_f_quad4_side_newton(footpoint_detail_quad4
     footpoint_detail_f_quad4_side_step(t, 0);
 }
 
-/* Returns the greater of two numbers >= 0, or NaN. It compares bits, because vector instructions for maxima raise
- * exceptions of NaN. */
-FOOTPOINT_PART float footpoint_detail_f_quad4_side_greater(float a, float b)
-{
-    union {
-        unsigned int bits;
-        float number;
-    } most;
-    const unsigned int x = footpoint_detail_f_bits(a), y = footpoint_detail_f_bits(b);
-    most.bits = x > y ? x : y;
-    return most.number;
-}
-
-/* Moves the answer by A (f,g).  See footpoint_detail_f_quad4_side_bound. */
-FOOTPOINT_PART void footpoint_detail_f_quad4_side_correct(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t, int l,
-                                                          float f,
-                                                          float g, float promise)
-{
-    const float s1 = t->a11[l] * f, s2 = t->a12[l] * g, t1 = t->a12[l] * f, t2 = t->a22[l] * g;
-    const float sum = footpoint_detail_f_quad4_side_greater(fabsf(s1) + fabsf(s2), fabsf(t1) + fabsf(t2));
-    const float off = 5.0f * 6e-8f * sum + t->off[l];
-    const float step = footpoint_detail_f_quad4_side_greater(fabsf(s1 + s2), fabsf(t1 + t2)) + off;
-    const float h = t->most[l] + t->turn[l] * step;
-    const float room = 0.999f * promise - 4e-15f - (1.3f * h * step + 1.01f * off);
-    t->xi[l] += (double)(s1 + s2);
-    t->eta[l] += (double)(t1 + t2);
-    t->most[l] = h;
-    t->doubt[l] |= footpoint_detail_f_bits(0.08f - step) | footpoint_detail_f_bits(0.199f - h) |
-                   footpoint_detail_f_bits(t->flat[l] - t->bend[l] * step);
-    t->wide[l] = footpoint_detail_f_bits(room) | footpoint_detail_f_infinite(room);
-}
-
-FOOTPOINT_APART void footpoint_detail_f_quad4_side_corrections(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
-                                                               float promise)
-{
-    int l;
-    FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad4_side; l++)
-        footpoint_detail_f_quad4_side_correct(t, l, (float)t->f[l], (float)t->g[l], promise);
-}
-
 /* Computes at (p,q) values that prove corrections, and F = (f,g) in single precision if `rough`.
  *
  * F has the Jacobian -H.  T(y) = y + A F(y), A being H^-1 as computed at (p,q), has the derivative 1 - A H(y).  In a ball of 5/4 step
@@ -1757,19 +1781,8 @@ FOOTPOINT_APART void footpoint_detail_f_quad4_side_rough(footpoint_detail_quad4_
 }
 #endif
 
-#ifndef FOOTPOINT_QUAD4_RUN
-#define FOOTPOINT_QUAD4_RUN
-/* Copies columns into a block that is not full, and repeats the last pair to fill it. */
-FOOTPOINT_COLD void footpoint_detail_quad4_side_fill(footpoint_detail_quad4_block *t, const double **x, int count)
-{
-    int k, l;
-    for (k = 0; k < 15; k++) {
-        for (l = 0; l < footpoint_detail_quad4_side; l++)
-            t->x[k][l] = x[k][l < count ? l : count - 1];
-        x[k] = t->x[k];
-    }
-}
-
+#ifndef FOOTPOINT_QUAD4_QUAD4_PASS
+#define FOOTPOINT_QUAD4_QUAD4_PASS
 /* Takes as many steps as the promise needs, or `more` from their end, and proves the last. */
 FOOTPOINT_PART void footpoint_detail_quad4_side_steps(footpoint_detail_quad4_block *t, double promise, int more)
 {
@@ -1791,6 +1804,20 @@ FOOTPOINT_PART void footpoint_detail_quad4_side_steps(footpoint_detail_quad4_blo
     }
     footpoint_detail_quad4_side_slopes_and_gaps(t);
     footpoint_detail_f_quad4_side_corrections(t, (float)promise);
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_SIDE_RUN
+#define FOOTPOINT_QUAD4_SIDE_RUN
+/* Copies columns into a block that is not full, and repeats the last pair to fill it. */
+FOOTPOINT_COLD void footpoint_detail_quad4_side_fill(footpoint_detail_quad4_block *t, const double **x, int count)
+{
+    int k, l;
+    for (k = 0; k < 15; k++) {
+        for (l = 0; l < footpoint_detail_quad4_side; l++)
+            t->x[k][l] = x[k][l < count ? l : count - 1];
+        x[k] = t->x[k];
+    }
 }
 
 /* Stores answers. Returns an upper bound on the number of unproved answers. */
@@ -4579,14 +4606,10 @@ FOOTPOINT_PART double footpoint_detail_manhattan(const double a[3])
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-/* Returns the status of a proved point on the face: proofs do not hold if compilers may reorder sums. */
+/* Returns the status of a proved point on the face: nothing is proved if the compiler may change results. */
 FOOTPOINT_PART int footpoint_detail_met(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return FOOTPOINT_UNPROVED;
-#else
-    return FOOTPOINT_OK;
-#endif
+    return FOOTPOINT_LOOSE ? FOOTPOINT_UNPROVED : FOOTPOINT_OK;
 }
 
 /* Scales the direction to a length of about 1. Returns FOOTPOINT_ERR_DEGENERATE if it has no length. */
@@ -4943,5 +4966,9 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_along_n(size_t n, const double *const
             eta[i] = loc[1];
         }
 }
+
+#if FOOTPOINT_ORDERED
+#pragma float_control(pop)
+#endif
 
 #endif

@@ -75,9 +75,35 @@
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
+#ifndef FOOTPOINT_LOOSE /* 1 if the compiler announces that it may change results: then nothing is proved */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#define FOOTPOINT_LOOSE 1
+#elif defined(_M_FP_FAST) || (defined(__USE_FAST_MATH__) && __USE_FAST_MATH__)
+#define FOOTPOINT_LOOSE 1
+#else
+#define FOOTPOINT_LOOSE 0
+#endif
+#endif
+#ifndef FOOTPOINT_ORDERED /* 1 if a pragma switches off all parts of -ffast-math, of which clang announces few; clang 14
+                           * keeps approximate roots of floats, under -ffast-math -fhonor-nans for instance */
+#if !defined(__clang__) || defined(FOOTPOINT_DEVICE) || __clang_major__ < 12
+#define FOOTPOINT_ORDERED 0
+#elif defined(__x86_64__) || defined(__i386__) || defined(__powerpc64__)
+#define FOOTPOINT_ORDERED 1
+#elif defined(__aarch64__) && __clang_major__ >= 17
+#define FOOTPOINT_ORDERED 1
+#else
+#define FOOTPOINT_ORDERED 0
+#endif
+#endif
 #if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
+#endif
+#if FOOTPOINT_ORDERED
+#pragma float_control(push)
+#pragma float_control(precise, on)
+#pragma STDC FP_CONTRACT DEFAULT /* as the command line says */
 #endif
 
 #ifndef FOOTPOINT_OK
@@ -143,14 +169,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS
 #define FOOTPOINT_DETAIL_BOUNDS
-/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
+/* Returns its highest bit set if the compiler may change results, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (unsigned long long)1 << 63;
-#else
-    return 0;
-#endif
+    return (unsigned long long)FOOTPOINT_LOOSE << 63;
 }
 
 /* Returns the greater number; a comparison with NaN raises no exception. */
@@ -1595,5 +1617,9 @@ FOOTPOINT_FN int footpoint_edge3_gradients_along(const double xA[2], const doubl
 {
     return footpoint_edge3_hessian_along(xA, xB, xC, xS, along, xi, dist, d_xi, d_dist, 0, 0);
 }
+
+#if FOOTPOINT_ORDERED
+#pragma float_control(pop)
+#endif
 
 #endif

@@ -95,9 +95,35 @@
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
+#ifndef FOOTPOINT_LOOSE /* 1 if the compiler announces that it may change results: then nothing is proved */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#define FOOTPOINT_LOOSE 1
+#elif defined(_M_FP_FAST) || (defined(__USE_FAST_MATH__) && __USE_FAST_MATH__)
+#define FOOTPOINT_LOOSE 1
+#else
+#define FOOTPOINT_LOOSE 0
+#endif
+#endif
+#ifndef FOOTPOINT_ORDERED /* 1 if a pragma switches off all parts of -ffast-math, of which clang announces few; clang 14
+                           * keeps approximate roots of floats, under -ffast-math -fhonor-nans for instance */
+#if !defined(__clang__) || defined(FOOTPOINT_DEVICE) || __clang_major__ < 12
+#define FOOTPOINT_ORDERED 0
+#elif defined(__x86_64__) || defined(__i386__) || defined(__powerpc64__)
+#define FOOTPOINT_ORDERED 1
+#elif defined(__aarch64__) && __clang_major__ >= 17
+#define FOOTPOINT_ORDERED 1
+#else
+#define FOOTPOINT_ORDERED 0
+#endif
+#endif
 #if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
+#endif
+#if FOOTPOINT_ORDERED
+#pragma float_control(push)
+#pragma float_control(precise, on)
+#pragma STDC FP_CONTRACT DEFAULT /* as the command line says */
 #endif
 
 #ifndef FOOTPOINT_OK
@@ -395,14 +421,10 @@ FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS
 #define FOOTPOINT_DETAIL_BOUNDS
-/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
+/* Returns its highest bit set if the compiler may change results, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (unsigned long long)1 << 63;
-#else
-    return 0;
-#endif
+    return (unsigned long long)FOOTPOINT_LOOSE << 63;
 }
 
 /* Returns the greater number; a comparison with NaN raises no exception. */
@@ -443,7 +465,7 @@ FOOTPOINT_PART double footpoint_detail_root_bound(double x)
 #define FOOTPOINT_DETAIL_LOCAL
 /* Tangents u = r_xi and v = r_eta, second derivatives, and d = xS - r. */
 typedef struct {
-    double u[3], v[3], uu[3], uv[3], vv[3], d[3];
+    double u[4], v[4], uu[4], uv[4], vv[4], d[4]; /* the last of four: see patch_three.h */
 } footpoint_detail_local;
 
 /* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the squared distance and per = 1 / det. */
@@ -465,6 +487,68 @@ FOOTPOINT_PART void footpoint_detail_newton_of(const footpoint_detail_local *r,
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_VECTORS
+#define FOOTPOINT_DETAIL_VECTORS
+/* As many of three coordinates and 0, or of four corners, as a register takes: loops over them take THREE or FOUR turns.
+ * Each number rounds as it does without vectors. */
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+#define FOOTPOINT_DETAIL_PACKED
+#ifdef __AVX__
+enum { FOOTPOINT_DETAIL_PACK = 4, FOOTPOINT_DETAIL_THREE = 1, FOOTPOINT_DETAIL_FOUR = 1 };
+#else
+enum { FOOTPOINT_DETAIL_PACK = 2, FOOTPOINT_DETAIL_THREE = 2, FOOTPOINT_DETAIL_FOUR = 2 };
+#endif
+typedef double footpoint_detail_pack __attribute__((vector_size(FOOTPOINT_DETAIL_PACK * sizeof(double)),
+                                                    aligned(sizeof(double)), may_alias));
+#else
+enum { FOOTPOINT_DETAIL_THREE = 3, FOOTPOINT_DETAIL_FOUR = 4 };
+typedef double footpoint_detail_pack;
+#endif
+
+FOOTPOINT_PART const footpoint_detail_pack *footpoint_detail_of(const double *a)
+{
+    return (const footpoint_detail_pack *)(const void *)a;
+}
+
+FOOTPOINT_PART footpoint_detail_pack *footpoint_detail_into(double *a)
+{
+    return (footpoint_detail_pack *)(void *)a;
+}
+
+/* Writes all at once: vectors are read from memory without delay only if they were written as vectors. */
+FOOTPOINT_PART void footpoint_detail_join(double x, double y, double z, double w, double a[4])
+{
+#if defined(FOOTPOINT_DETAIL_PACKED) && defined(__AVX__)
+    const footpoint_detail_pack all = {x, y, z, w};
+    footpoint_detail_into(a)[0] = all;
+#elif defined(FOOTPOINT_DETAIL_PACKED)
+    const footpoint_detail_pack first = {x, y}, second = {z, w};
+    footpoint_detail_into(a)[0] = first;
+    footpoint_detail_into(a)[1] = second;
+#else
+    a[0] = x;
+    a[1] = y;
+    a[2] = z;
+    a[3] = w;
+#endif
+}
+
+/* Computes the cross product c. */
+FOOTPOINT_PART void footpoint_detail_across(const double a[4], const double b[4], double c[4])
+{
+    double a1[4], a2[4], b1[4], b2[4];
+    int i;
+    footpoint_detail_join(a[1], a[2], a[0], 0.0, a1);
+    footpoint_detail_join(a[2], a[0], a[1], 0.0, a2);
+    footpoint_detail_join(b[1], b[2], b[0], 0.0, b1);
+    footpoint_detail_join(b[2], b[0], b[1], 0.0, b2);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++)
+        footpoint_detail_into(c)[i] = footpoint_detail_of(a1)[i] * footpoint_detail_of(b2)[i] -
+                                      footpoint_detail_of(a2)[i] * footpoint_detail_of(b1)[i];
+}
+#endif
+
 #ifndef FOOTPOINT_DETAIL_NET
 #define FOOTPOINT_DETAIL_NET
 /* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
@@ -482,25 +566,26 @@ FOOTPOINT_PART void footpoint_detail_newton_of(const footpoint_detail_local *r,
  * 20.5 u Q + 8 u P, d without xS 11 u base, second derivatives 29 u P + 9 u Q; xS minus corners 3 u (|D| + 1.1 base),
  * four subtractions 4 u |D| + 2 u base. */
 typedef struct {
-    double e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3], y0[3], y1[3], Y0[3], Y1[3];
+    double e[4], f[4], m[4], d[4], x0[4], x1[4], X0[4], X1[4];
+    double y0[4], y1[4], Y0[4], Y1[4];
     double third[2], base, tilt, place, turn, far;
 } footpoint_detail_net;
 
 /* An edge, and an eighth of its parts along the normals m and n at its ends. */
 typedef struct {
-    double edge[3], begin[3], end[3];
-} footpoint_detail_bent;
+    double edge[4], begin[4], end[4];
+} footpoint_detail_net_bent;
 
-FOOTPOINT_PART void footpoint_detail_bend(const double m[3], const double n[3],
-                                          footpoint_detail_bent *t)
+FOOTPOINT_PART void footpoint_detail_net_bend(const double m[4], const double n[4],
+                                              footpoint_detail_net_bent *t)
 {
     const double first = 0.125 * footpoint_detail_dot(t->edge, m);
     const double second = 0.125 * footpoint_detail_dot(t->edge, n);
     int i;
     FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        t->begin[i] = first * m[i];
-        t->end[i] = second * n[i];
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        footpoint_detail_into(t->begin)[i] = first * footpoint_detail_of(m)[i];
+        footpoint_detail_into(t->end)[i] = second * footpoint_detail_of(n)[i];
     }
 }
 
@@ -526,49 +611,35 @@ FOOTPOINT_PART void footpoint_detail_net_bounds(const double *const *n, footpoin
     t->far = t->base;
 }
 
-/* Computes the edges AB, DC, AD and BC, and d. */
-FOOTPOINT_PART void footpoint_detail_net_edges(const double *const *x, footpoint_detail_bent bent[4],
-                                               footpoint_detail_net *t)
-{
-    int i;
-    footpoint_detail_from(x[0], x[1], bent[0].edge);
-    footpoint_detail_from(x[3], x[2], bent[1].edge);
-    footpoint_detail_from(x[0], x[3], bent[2].edge);
-    footpoint_detail_from(x[1], x[2], bent[3].edge);
-    FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++)
-        t->d[i] = 0.25 * (((x[8][i] - x[0][i]) + (x[8][i] - x[1][i])) +
-                          ((x[8][i] - x[2][i]) + (x[8][i] - x[3][i])));
-}
-
 /* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n, footpoint_detail_bent bent[4],
+FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n,
+                                                footpoint_detail_net_bent bent[4],
                                                 footpoint_detail_net *t)
 {
-    const footpoint_detail_bent *const ab = &bent[0], *const dc = &bent[1], *const ad = &bent[2],
-                                       *const bc = &bent[3];
+    const footpoint_detail_net_bent *const ab = &bent[0], *const dc = &bent[1],
+                                           *const ad = &bent[2], *const bc = &bent[3];
     int i;
-    footpoint_detail_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_bend(n[1], n[2], &bent[3]);
+    footpoint_detail_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_net_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        const double s = ab->begin[i] + ab->end[i], l = ab->begin[i] - ab->end[i];
-        const double S = dc->begin[i] + dc->end[i], L = dc->begin[i] - dc->end[i];
-        const double o = ad->begin[i] + ad->end[i], k = ad->begin[i] - ad->end[i];
-        const double O = bc->begin[i] + bc->end[i], K = bc->begin[i] - bc->end[i];
-        t->e[i] = 0.25 * (ab->edge[i] + dc->edge[i]);
-        t->f[i] = 0.25 * (ad->edge[i] + bc->edge[i]);
-        t->m[i] = 0.5 * (dc->edge[i] - ab->edge[i]);
-        t->x1[i] = 0.5 * (s + S);
-        t->x0[i] = 0.5 * (l + L);
-        t->X1[i] = S - s;
-        t->X0[i] = L - l;
-        t->y1[i] = 0.5 * (o + O);
-        t->y0[i] = 0.5 * (k + K);
-        t->Y1[i] = (O - o) - 0.5 * t->m[i];
-        t->Y0[i] = K - k;
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        const footpoint_detail_pack s = footpoint_detail_of(ab->begin)[i] + footpoint_detail_of(ab->end)[i], l = footpoint_detail_of(ab->begin)[i] - footpoint_detail_of(ab->end)[i];
+        const footpoint_detail_pack S = footpoint_detail_of(dc->begin)[i] + footpoint_detail_of(dc->end)[i], L = footpoint_detail_of(dc->begin)[i] - footpoint_detail_of(dc->end)[i];
+        const footpoint_detail_pack o = footpoint_detail_of(ad->begin)[i] + footpoint_detail_of(ad->end)[i], k = footpoint_detail_of(ad->begin)[i] - footpoint_detail_of(ad->end)[i];
+        const footpoint_detail_pack O = footpoint_detail_of(bc->begin)[i] + footpoint_detail_of(bc->end)[i], K = footpoint_detail_of(bc->begin)[i] - footpoint_detail_of(bc->end)[i];
+        footpoint_detail_into(t->e)[i] = 0.25 * (footpoint_detail_of(ab->edge)[i] + footpoint_detail_of(dc->edge)[i]);
+        footpoint_detail_into(t->f)[i] = 0.25 * (footpoint_detail_of(ad->edge)[i] + footpoint_detail_of(bc->edge)[i]);
+        footpoint_detail_into(t->m)[i] = 0.5 * (footpoint_detail_of(dc->edge)[i] - footpoint_detail_of(ab->edge)[i]);
+        footpoint_detail_into(t->x1)[i] = 0.5 * (s + S);
+        footpoint_detail_into(t->x0)[i] = 0.5 * (l + L);
+        footpoint_detail_into(t->X1)[i] = S - s;
+        footpoint_detail_into(t->X0)[i] = L - l;
+        footpoint_detail_into(t->y1)[i] = 0.5 * (o + O);
+        footpoint_detail_into(t->y0)[i] = 0.5 * (k + K);
+        footpoint_detail_into(t->Y1)[i] = (O - o) - 0.5 * footpoint_detail_of(t->m)[i];
+        footpoint_detail_into(t->Y0)[i] = K - k;
     }
     t->base = (footpoint_detail_sum(ab->edge) + footpoint_detail_sum(dc->edge)) +
               (footpoint_detail_sum(ad->edge) + footpoint_detail_sum(bc->edge));
@@ -585,19 +656,22 @@ FOOTPOINT_PART void footpoint_detail_net_local(const footpoint_detail_net *t, do
     const double g = q * (0.5 + 0.25 * z), g1 = 0.75 * z, g2 = -1.5 * q;
     int i;
     FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
-        const double X = p * t->m[i] + a * t->X1[i] - w * t->X0[i];
-        const double X1 = t->m[i] + a1 * t->X1[i] + p2 * t->X0[i];
-        const double X2 = 2.0 * t->X0[i] - p6 * t->X1[i];
-        const double Y = c * t->Y1[i] - z * t->Y0[i], Y1 = c1 * t->Y1[i] + q2 * t->Y0[i];
-        const double Y2 = 2.0 * t->Y0[i] - q6 * t->Y1[i];
-        l->d[i] = t->d[i] - p * t->e[i] - q * t->f[i] - (a * t->x1[i] - w * t->x0[i] + g * X) -
-                  (c * t->y1[i] - z * t->y0[i] + b * Y);
-        l->u[i] = t->e[i] + (a1 * t->x1[i] + p2 * t->x0[i]) + g * X1 + b1 * Y;
-        l->v[i] = t->f[i] + (c1 * t->y1[i] + q2 * t->y0[i]) + b * Y1 + g1 * X;
-        l->uu[i] = 2.0 * t->x0[i] - p6 * t->x1[i] + g * X2 + b2 * Y;
-        l->uv[i] = g1 * X1 + b1 * Y1;
-        l->vv[i] = 2.0 * t->y0[i] - q6 * t->y1[i] + b * Y2 + g2 * X;
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        const footpoint_detail_pack X = p * footpoint_detail_of(t->m)[i] + a * footpoint_detail_of(t->X1)[i] - w * footpoint_detail_of(t->X0)[i];
+        const footpoint_detail_pack X1 = footpoint_detail_of(t->m)[i] + a1 * footpoint_detail_of(t->X1)[i] + p2 * footpoint_detail_of(t->X0)[i];
+        const footpoint_detail_pack X2 = 2.0 * footpoint_detail_of(t->X0)[i] - p6 * footpoint_detail_of(t->X1)[i];
+        const footpoint_detail_pack Y = c * footpoint_detail_of(t->Y1)[i] - z * footpoint_detail_of(t->Y0)[i],
+                     Y1 = c1 * footpoint_detail_of(t->Y1)[i] + q2 * footpoint_detail_of(t->Y0)[i];
+        const footpoint_detail_pack Y2 = 2.0 * footpoint_detail_of(t->Y0)[i] - q6 * footpoint_detail_of(t->Y1)[i];
+        footpoint_detail_into(l->d)
+        [i] = footpoint_detail_of(t->d)[i] - p * footpoint_detail_of(t->e)[i] - q * footpoint_detail_of(t->f)[i] -
+              (a * footpoint_detail_of(t->x1)[i] - w * footpoint_detail_of(t->x0)[i] + g * X) -
+              (c * footpoint_detail_of(t->y1)[i] - z * footpoint_detail_of(t->y0)[i] + b * Y);
+        footpoint_detail_into(l->u)[i] = footpoint_detail_of(t->e)[i] + (a1 * footpoint_detail_of(t->x1)[i] + p2 * footpoint_detail_of(t->x0)[i]) + g * X1 + b1 * Y;
+        footpoint_detail_into(l->v)[i] = footpoint_detail_of(t->f)[i] + (c1 * footpoint_detail_of(t->y1)[i] + q2 * footpoint_detail_of(t->y0)[i]) + b * Y1 + g1 * X;
+        footpoint_detail_into(l->uu)[i] = 2.0 * footpoint_detail_of(t->x0)[i] - p6 * footpoint_detail_of(t->x1)[i] + g * X2 + b2 * Y;
+        footpoint_detail_into(l->uv)[i] = g1 * X1 + b1 * Y1;
+        footpoint_detail_into(l->vv)[i] = 2.0 * footpoint_detail_of(t->y0)[i] - q6 * footpoint_detail_of(t->y1)[i] + b * Y2 + g2 * X;
     }
 }
 #endif
@@ -609,7 +683,7 @@ FOOTPOINT_PART void footpoint_detail_net_local(const footpoint_detail_net *t, do
  * net's; twist: the other edge's difference minus that. twists: sums of the absolute coordinates. */
 typedef struct {
     footpoint_detail_net net;
-    double side[4][3], twist[4][3], twists[4];
+    double side[4][4], twist[4][4], twists[4];
 } footpoint_detail_gregory_terms;
 
 /* Returns which of AB, DC, AD, BC handle m of corner c lies along. */
@@ -619,8 +693,8 @@ FOOTPOINT_PART int footpoint_detail_gregory_edge(int c, int m)
 }
 
 /* Computes the corners' handles b[c][0] along xi and b[c][1] along eta. */
-FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_bent bent[4],
-                                                     double b[4][2][3])
+FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_net_bent bent[4],
+                                                     double b[4][2][4])
 {
     const double third = 1.0 / 3.0, rise = 8.0 / 3.0;
     int c, m, i;
@@ -628,12 +702,18 @@ FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_bent
     for (c = 0; c < 4; c++) {
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
-            const footpoint_detail_bent *const t = &bent[footpoint_detail_gregory_edge(c, m)];
+            const footpoint_detail_net_bent *const t = &bent[footpoint_detail_gregory_edge(c, m)];
             const int ends = m ? c > 1 : c == 1 || c == 2;
             FOOTPOINT_UNROLL
-            for (i = 0; i < 3; i++)
-                b[c][m][i] = ends ? rise * t->end[i] - third * t->edge[i]
-                                  : third * t->edge[i] - rise * t->begin[i];
+            for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+                const footpoint_detail_pack edge = third * footpoint_detail_of(t->edge)[i];
+                if (ends)
+                    footpoint_detail_into(b[c][m])[i] =
+                        rise * footpoint_detail_of(t->end)[i] - edge;
+                else
+                    footpoint_detail_into(b[c][m])[i] =
+                        edge - rise * footpoint_detail_of(t->begin)[i];
+            }
         }
     }
 }
@@ -641,8 +721,8 @@ FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_bent
 /* Computes, for unit normals, handle b[c][1 - m] as k[c][m] n x b[c][m] + l[c][m] b[c][m]; turn: n x b. Returns the
  * largest quotient of the squares of an edge and a handle along it. */
 FOOTPOINT_PART double footpoint_detail_gregory_parts(const double *const *n,
-                                                     const footpoint_detail_bent bent[4],
-                                                     double b[4][2][3], double turn[4][2][3],
+                                                     const footpoint_detail_net_bent bent[4],
+                                                     double b[4][2][4], double turn[4][2][4],
                                                      double k[4][2], double l[4][2])
 {
     double most = 0.0, square[4];
@@ -658,7 +738,7 @@ FOOTPOINT_PART double footpoint_detail_gregory_parts(const double *const *n,
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const double inverse = per * (m ? s : t);
-            footpoint_detail_cross(n[c], b[c][m], turn[c][m]);
+            footpoint_detail_across(n[c], b[c][m], turn[c][m]);
             k[c][m] = footpoint_detail_dot(turn[c][m], b[c][1 - m]) * inverse;
             l[c][m] = along * inverse;
             most = footpoint_detail_greater(most,
@@ -679,34 +759,40 @@ FOOTPOINT_PART double footpoint_detail_gregory_parts(const double *const *n,
  * (3 u / (x + y) / 2 + 20 u) of twist <= 3.8 w^2 d*, 330 u w^2 d* at x + y = 0.01. 18, 60 and 280 2.5 allow for
  * both. */
 FOOTPOINT_PART void footpoint_detail_gregory_shape(const double *const *n,
-                                                   footpoint_detail_bent bent[4],
+                                                   footpoint_detail_net_bent bent[4],
                                                    footpoint_detail_gregory_terms *t)
 {
-    double b[4][2][3], turn[4][2][3], k[4][2], l[4][2], most, longest = 0.0;
+    double b[4][2][4], turn[4][2][4], k[4][2], l[4][2], most, longest = 0.0;
     int c, m, i;
     footpoint_detail_net_expand(n, bent, &t->net);
     footpoint_detail_gregory_handles(bent, b);
     most = footpoint_detail_gregory_parts(n, bent, b, turn, k, l);
     FOOTPOINT_UNROLL
     for (c = 0; c < 4; c++) {
-        double made[2][3], sides;
+        double made[2][4], sides;
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const int o = m ? 3 - c : c ^ 1, ends = m ? c > 1 : c == 1 || c == 2;
-            const double *const edge = bent[footpoint_detail_gregory_edge(c, m)].edge;
-            const double sum = k[c][m] - k[o][m], twice = 2.0 * l[c][m];
+            const footpoint_detail_pack *const edge =
+                footpoint_detail_of(bent[footpoint_detail_gregory_edge(c, m)].edge);
+            const footpoint_detail_pack *const here = footpoint_detail_of(b[c][m]);
+            const footpoint_detail_pack *const there = footpoint_detail_of(b[o][m]);
+            const double sum = k[c][m] - k[o][m], twice = 2.0 * l[c][m], sign = ends ? -1.0 : 1.0;
             FOOTPOINT_UNROLL
-            for (i = 0; i < 3; i++) {
-                const double middle = (ends ? -edge[i] : edge[i]) + (b[o][m][i] - b[c][m][i]);
-                made[m][i] = 3.0 * (sum * turn[c][m][i] - k[c][m] * turn[o][m][i] +
-                                    (twice * middle - l[o][m] * b[c][m][i])) -
-                             9.0 * b[c][1 - m][i];
+            for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+                const footpoint_detail_pack middle = sign * edge[i] + (there[i] - here[i]);
+                footpoint_detail_into(made[m])[i] =
+                    3.0 * (sum * footpoint_detail_of(turn[c][m])[i] -
+                           k[c][m] * footpoint_detail_of(turn[o][m])[i] +
+                           (twice * middle - l[o][m] * here[i])) -
+                    9.0 * footpoint_detail_of(b[c][1 - m])[i];
             }
         }
         FOOTPOINT_UNROLL
-        for (i = 0; i < 3; i++) {
-            t->side[c][i] = made[1][i];
-            t->twist[c][i] = made[0][i] - made[1][i];
+        for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+            const footpoint_detail_pack side = footpoint_detail_of(made[1])[i];
+            footpoint_detail_into(t->side[c])[i] = side;
+            footpoint_detail_into(t->twist[c])[i] = footpoint_detail_of(made[0])[i] - side;
         }
         sides = 2.2 * footpoint_detail_sum(t->side[c]);
         t->twists[c] = footpoint_detail_sum(t->twist[c]);
@@ -727,59 +813,78 @@ FOOTPOINT_PART void footpoint_detail_gregory_near(double p, double q, double nea
     const double a = 1.0 + up + tiny, c = 1.0 - up + tiny, b = 1.0 - down + tiny,
                d = 1.0 + down + tiny;
     const double ac = a * c, bd = b * d, per = 1.0 / (ac * bd);
-    near[0] = per * c * bd;
-    near[1] = per * d * ac;
-    near[2] = per * a * bd;
-    near[3] = per * b * ac;
+    footpoint_detail_join(per * c * bd, per * d * ac, per * a * bd, per * b * ac, near);
 }
 
-/* Computes the corner's additions, see above, as factors of side[] and of twist[]: values, first and second derivatives
- * by xi and eta. */
-FOOTPOINT_PART void footpoint_detail_gregory_corner(double along, double across, double p, double q,
-                                                    double near, double side[6], double twist[6])
+/* Computes the corners' additions, see above, as factors of side[] and of twist[]: values, first and second derivatives
+ * by xi and eta, indexed by corner. */
+FOOTPOINT_PART void footpoint_detail_gregory_corners(double p, double q, const double near[4],
+                                                     double side[6][4], double twist[6][4])
 {
-    const double sx = 0.5 * along, sy = 0.5 * across, x = 0.5 + sx * p, y = 0.5 + sy * q;
-    const double X = 1.0 - x, Y = 1.0 - y, f = X * X, g = Y * Y, a = x * near, b = y * near;
-    const double m = x * f, n = y * g, m1 = sx * (X * (X - (x + x))), n1 = sy * (Y * (Y - (y + y)));
-    const double h = x * y * a, hx = y * a * (1.0 + b), hy = x * (a * a);
-    const double f1 = -2.0 * X, g1 = -2.0 * Y, fg = f * g, fg1 = f * g1, f1g = f1 * g;
-    side[0] = m * n;
-    side[1] = m1 * n;
-    side[2] = m * n1;
-    side[3] = (1.5 * x - 1.0) * n;
-    side[4] = m1 * n1;
-    side[5] = (1.5 * y - 1.0) * m;
-    twist[0] = fg * h;
-    twist[1] = sx * (f1g * h + fg * hx);
-    twist[2] = sy * (fg1 * h + fg * hy);
-    twist[3] = 0.5 * (g * h + f1g * hx + fg * (b * b * b));
-    twist[4] = sx * sy * (f1 * g1 * h + f1g * hy + fg1 * hx + fg * (a * a * (3.0 - (a + a))));
-    twist[5] = 0.5 * (f * h + fg1 * hy - fg * (a * a * a));
+    double along[4], across[4];
+    int c;
+    footpoint_detail_join(0.5, -0.5, -0.5, 0.5, along);
+    footpoint_detail_join(0.5, 0.5, -0.5, -0.5, across);
+    FOOTPOINT_UNROLL
+    for (c = 0; c < FOOTPOINT_DETAIL_FOUR; c++) {
+        const footpoint_detail_pack sx = footpoint_detail_of(along)[c];
+        const footpoint_detail_pack sy = footpoint_detail_of(across)[c];
+        const footpoint_detail_pack x = 0.5 + sx * p, y = 0.5 + sy * q, X = 1.0 - x, Y = 1.0 - y;
+        const footpoint_detail_pack f = X * X, g = Y * Y, m = x * f, n = y * g;
+        const footpoint_detail_pack a = x * footpoint_detail_of(near)[c];
+        const footpoint_detail_pack b = y * footpoint_detail_of(near)[c];
+        const footpoint_detail_pack m1 = sx * (X * (X - (x + x))), n1 = sy * (Y * (Y - (y + y)));
+        const footpoint_detail_pack h = x * y * a, hx = y * a * (1.0 + b), hy = x * (a * a);
+        const footpoint_detail_pack f1 = -2.0 * X, g1 = -2.0 * Y;
+        const footpoint_detail_pack fg = f * g, fg1 = f * g1, f1g = f1 * g;
+        footpoint_detail_into(side[0])[c] = m * n;
+        footpoint_detail_into(side[1])[c] = m1 * n;
+        footpoint_detail_into(side[2])[c] = m * n1;
+        footpoint_detail_into(side[3])[c] = (1.5 * x - 1.0) * n;
+        footpoint_detail_into(side[4])[c] = m1 * n1;
+        footpoint_detail_into(side[5])[c] = (1.5 * y - 1.0) * m;
+        footpoint_detail_into(twist[0])[c] = fg * h;
+        footpoint_detail_into(twist[1])[c] = sx * (f1g * h + fg * hx);
+        footpoint_detail_into(twist[2])[c] = sy * (fg1 * h + fg * hy);
+        footpoint_detail_into(twist[3])[c] = 0.5 * (g * h + f1g * hx + fg * (b * b * b));
+        footpoint_detail_into(twist[4])[c] =
+            sx * sy * (f1 * g1 * h + f1g * hy + fg1 * hx + fg * (a * a * (3.0 - (a + a))));
+        footpoint_detail_into(twist[5])[c] = 0.5 * (f * h + fg1 * hy - fg * (a * a * a));
+    }
 }
 
 /* Computes tangents and second derivatives at (p,q), and d = xS - r. */
 FOOTPOINT_PART void footpoint_detail_gregory_local(const footpoint_detail_gregory_terms *t, double p,
                                                    double q, footpoint_detail_local *l)
 {
-    double near[4];
+    double near[4], s[6][4], w[6][4];
     int c, i;
     footpoint_detail_net_local(&t->net, p, q, l);
     footpoint_detail_gregory_near(p, q, near);
+    footpoint_detail_gregory_corners(p, q, near, s, w);
     FOOTPOINT_UNROLL
-    for (c = 0; c < 4; c++) {
-        double s[6], w[6];
-        footpoint_detail_gregory_corner(c == 1 || c == 2 ? -1.0 : 1.0, c > 1 ? -1.0 : 1.0, p, q,
-                                        near[c], s, w);
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        footpoint_detail_pack d = footpoint_detail_of(l->d)[i], u = footpoint_detail_of(l->u)[i];
+        footpoint_detail_pack v = footpoint_detail_of(l->v)[i], uu = footpoint_detail_of(l->uu)[i];
+        footpoint_detail_pack uv = footpoint_detail_of(l->uv)[i],
+                              vv = footpoint_detail_of(l->vv)[i];
         FOOTPOINT_UNROLL
-        for (i = 0; i < 3; i++) {
-            const double y = t->side[c][i], z = t->twist[c][i];
-            l->d[i] -= s[0] * y + w[0] * z;
-            l->u[i] += s[1] * y + w[1] * z;
-            l->v[i] += s[2] * y + w[2] * z;
-            l->uu[i] += s[3] * y + w[3] * z;
-            l->uv[i] += s[4] * y + w[4] * z;
-            l->vv[i] += s[5] * y + w[5] * z;
+        for (c = 0; c < 4; c++) {
+            const footpoint_detail_pack y = footpoint_detail_of(t->side[c])[i];
+            const footpoint_detail_pack z = footpoint_detail_of(t->twist[c])[i];
+            d -= s[0][c] * y + w[0][c] * z;
+            u += s[1][c] * y + w[1][c] * z;
+            v += s[2][c] * y + w[2][c] * z;
+            uu += s[3][c] * y + w[3][c] * z;
+            uv += s[4][c] * y + w[4][c] * z;
+            vv += s[5][c] * y + w[5][c] * z;
         }
+        footpoint_detail_into(l->d)[i] = d;
+        footpoint_detail_into(l->u)[i] = u;
+        footpoint_detail_into(l->v)[i] = v;
+        footpoint_detail_into(l->uu)[i] = uu;
+        footpoint_detail_into(l->uv)[i] = uv;
+        footpoint_detail_into(l->vv)[i] = vv;
     }
 }
 
@@ -820,12 +925,39 @@ FOOTPOINT_PART double footpoint_detail_gregory_ball(double p, double q)
     return most < 0.125 ? most : 0.125;
 }
 
+/* Computes the edges AB, DC, AD and BC, and d. */
+FOOTPOINT_PART void footpoint_detail_gregory_edges(double x[9][4], footpoint_detail_net_bent bent[4],
+                                                   footpoint_detail_net *t)
+{
+    const footpoint_detail_pack *const a = footpoint_detail_of(x[0]);
+    const footpoint_detail_pack *const b = footpoint_detail_of(x[1]);
+    const footpoint_detail_pack *const c = footpoint_detail_of(x[2]);
+    const footpoint_detail_pack *const d = footpoint_detail_of(x[3]);
+    const footpoint_detail_pack *const s = footpoint_detail_of(x[8]);
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        footpoint_detail_into(bent[0].edge)[i] = b[i] - a[i];
+        footpoint_detail_into(bent[1].edge)[i] = c[i] - d[i];
+        footpoint_detail_into(bent[2].edge)[i] = d[i] - a[i];
+        footpoint_detail_into(bent[3].edge)[i] = c[i] - b[i];
+        footpoint_detail_into(t->d)[i] =
+            0.25 * (((s[i] - a[i]) + (s[i] - b[i])) + ((s[i] - c[i]) + (s[i] - d[i])));
+    }
+}
+
 FOOTPOINT_PART void footpoint_detail_gregory_expand(const double *const *x,
                                                     footpoint_detail_gregory_terms *t)
 {
-    footpoint_detail_bent bent[4];
-    footpoint_detail_net_edges(x, bent, &t->net);
-    footpoint_detail_gregory_shape(x + 4, bent, t);
+    double y[9][4];
+    const double *const n[4] = {y[4], y[5], y[6], y[7]};
+    footpoint_detail_net_bent bent[4];
+    int k;
+    FOOTPOINT_UNROLL
+    for (k = 0; k < 9; k++)
+        footpoint_detail_join(x[k][0], x[k][1], x[k][2], 0.0, y[k]);
+    footpoint_detail_gregory_edges(y, bent, &t->net);
+    footpoint_detail_gregory_shape(n, bent, t);
 }
 
 /* Clamps p to the patch. */
@@ -950,25 +1082,34 @@ FOOTPOINT_PART unsigned long long footpoint_detail_gregory_step(const footpoint_
            footpoint_detail_infinite(room + other) | footpoint_detail_fast();
 }
 
-/* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step. If that step is short
- * (`near`), the gap and its normal follow from the values before it, to its second order. */
-FOOTPOINT_PART unsigned long long footpoint_detail_gregory_patch(const double *const *x, double promise, int bare,
-                                                                 int near, double least, double *xi, double *eta,
-                                                                 double *gap)
+/* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step, or the next two inside
+ * the patch if their steps are short. If the last step is short (`near`), the gap and its normal follow from the values
+ * before it, to its second order. */
+FOOTPOINT_APART unsigned long long footpoint_detail_gregory_patch(const double *const *x, double promise, int bare,
+                                                                  int near, double least, double *xi, double *eta,
+                                                                  double *gap)
 {
     footpoint_detail_gregory_terms of;
     footpoint_detail_local r;
-    unsigned long long doubt;
-    double p = *xi, q = *eta, size;
+    footpoint_detail_newton n;
+    unsigned long long doubt = 0, goes_on = (unsigned long long)1 << 63;
+    double p = 0.0, q = 0.0, size;
     int k;
     footpoint_detail_gregory_expand(x, &of);
-    FOOTPOINT_UNROLL
-    for (k = 0; k < bare; k++)
-        footpoint_detail_gregory_bare(&of, &p, &q);
-    footpoint_detail_gregory_local(&of, p, q, &r);
-    *xi = p;
-    *eta = q;
-    doubt = footpoint_detail_gregory_step(&of, &r, promise, xi, eta);
+    for (k = 0; k < bare + 3 && goes_on >> 63; k++) {
+        p = *xi;
+        q = *eta;
+        footpoint_detail_gregory_local(&of, p, q, &r);
+        if (k < bare) {
+            footpoint_detail_newton_of(&r, &n);
+            footpoint_detail_gregory_correct(&r, &n, xi, eta);
+        } else {
+            doubt = footpoint_detail_gregory_step(&of, &r, promise, xi, eta);
+            goes_on = doubt & footpoint_detail_below(*xi - p, 0.25) &
+                      footpoint_detail_below(*eta - q, 0.25) & footpoint_detail_below(*xi, 1.0) &
+                      footpoint_detail_below(*eta, 1.0);
+        }
+    }
     if (near)
         footpoint_detail_gregory_follow(*xi - p, *eta - q, &r);
     else
@@ -1378,14 +1519,10 @@ FOOTPOINT_PART float footpoint_detail_f_dot(const float a[3], const float b[3])
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS_F
 #define FOOTPOINT_DETAIL_BOUNDS_F
-/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
+/* Returns its highest bit set if the compiler may change results, in which case nothing is proved. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (unsigned int)1 << 31;
-#else
-    return 0;
-#endif
+    return (unsigned int)FOOTPOINT_LOOSE << 31;
 }
 
 /* Returns the greater number; a comparison with NaN raises no exception. */
@@ -1426,7 +1563,7 @@ FOOTPOINT_PART float footpoint_detail_f_root_bound(float x)
 #define FOOTPOINT_DETAIL_LOCAL_F
 /* Tangents u = r_xi and v = r_eta, second derivatives, and d = xS - r. */
 typedef struct {
-    float u[3], v[3], uu[3], uv[3], vv[3], d[3];
+    float u[4], v[4], uu[4], uv[4], vv[4], d[4]; /* the last of four: see patch_three.h */
 } footpoint_detail_f_local;
 
 /* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the squared distance and per = 1 / det. */
@@ -1448,8 +1585,8 @@ FOOTPOINT_PART void footpoint_detail_f_newton_of(const footpoint_detail_f_local 
 }
 #endif
 
-#ifndef FOOTPOINT_DETAIL_NET_F
-#define FOOTPOINT_DETAIL_NET_F
+#ifndef FOOTPOINT_DETAIL_LANE_NET_F
+#define FOOTPOINT_DETAIL_LANE_NET_F
 /* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
  * (1 - p^2) (p x1 - x0), and X, y and Y likewise: x bends the mean of the edges AB and DC, X is the excess bend of DC
  * over AB. d = xS - r0.
@@ -1465,25 +1602,26 @@ FOOTPOINT_PART void footpoint_detail_f_newton_of(const footpoint_detail_f_local 
  * 20.5f u Q + 8 u P, d without xS 11 u base, second derivatives 29 u P + 9 u Q; xS minus corners 3 u (|D| + 1.1f base),
  * four subtractions 4 u |D| + 2 u base. */
 typedef struct {
-    float e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3], y0[3], y1[3], Y0[3], Y1[3];
+    float e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3];
+    float y0[3], y1[3], Y0[3], Y1[3];
     float third[2], base, tilt, place, turn, far;
-} footpoint_detail_f_net;
+} footpoint_detail_f_lane_net;
 
 /* An edge, and an eighth of its parts along the normals m and n at its ends. */
 typedef struct {
     float edge[3], begin[3], end[3];
-} footpoint_detail_f_bent;
+} footpoint_detail_f_lane_net_bent;
 
-FOOTPOINT_PART void footpoint_detail_f_bend(const float m[3], const float n[3],
-                                            footpoint_detail_f_bent *t)
+FOOTPOINT_PART void footpoint_detail_f_lane_net_bend(const float m[3], const float n[3],
+                                                     footpoint_detail_f_lane_net_bent *t)
 {
     const float first = 0.125f * footpoint_detail_f_dot(t->edge, m);
     const float second = 0.125f * footpoint_detail_f_dot(t->edge, n);
     int i;
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
-        t->begin[i] = first * m[i];
-        t->end[i] = second * n[i];
+        (t->begin)[i] = first * (m)[i];
+        (t->end)[i] = second * (n)[i];
     }
 }
 
@@ -1491,7 +1629,7 @@ FOOTPOINT_PART void footpoint_detail_f_bend(const float m[3], const float n[3],
  * derivatives, are at most 0.385f, 2.8f, 6.75f; 1, 2.25f, 2; 0.5f, 0.75f, 1.69f, the third derivatives 6, 0, 1.5. Thus
  * third[0] has 0.5f 6 + 2 0.75f 6.75f + 1.69f 2.8f = 17.9f of X1, 2 0.75f 2 + 1.69f 2.25f = 6.9f of X0; 1.5f 0.385f + 2 1.69f 2.8f +
  * 0.75f 6.75f = 15.2f of Y1, 1.5f + 2 1.69f 2.25f + 0.75f 2 = 10.7f of Y0, 1.69f of m; third[1] has 1.5f 1.125f + 2 1.69f of m. */
-FOOTPOINT_PART void footpoint_detail_f_net_bounds(const float *const *n, footpoint_detail_f_net *t)
+FOOTPOINT_PART void footpoint_detail_f_lane_net_bounds(const float *const *n, footpoint_detail_f_lane_net *t)
 {
     const float X0 = footpoint_detail_f_sum(t->X0), X1 = footpoint_detail_f_sum(t->X1);
     const float Y0 = footpoint_detail_f_sum(t->Y0), Y1 = footpoint_detail_f_sum(t->Y1);
@@ -1509,58 +1647,44 @@ FOOTPOINT_PART void footpoint_detail_f_net_bounds(const float *const *n, footpoi
     t->far = t->base;
 }
 
-/* Computes the edges AB, DC, AD and BC, and d. */
-FOOTPOINT_PART void footpoint_detail_f_net_edges(const float *const *x, footpoint_detail_f_bent bent[4],
-                                                 footpoint_detail_f_net *t)
-{
-    int i;
-    footpoint_detail_f_from(x[0], x[1], bent[0].edge);
-    footpoint_detail_f_from(x[3], x[2], bent[1].edge);
-    footpoint_detail_f_from(x[0], x[3], bent[2].edge);
-    footpoint_detail_f_from(x[1], x[2], bent[3].edge);
-    FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++)
-        t->d[i] = 0.25f * (((x[8][i] - x[0][i]) + (x[8][i] - x[1][i])) +
-                           ((x[8][i] - x[2][i]) + (x[8][i] - x[3][i])));
-}
-
 /* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_f_net_expand(const float *const *n, footpoint_detail_f_bent bent[4],
-                                                  footpoint_detail_f_net *t)
+FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const float *const *n,
+                                                       footpoint_detail_f_lane_net_bent bent[4],
+                                                       footpoint_detail_f_lane_net *t)
 {
-    const footpoint_detail_f_bent *const ab = &bent[0], *const dc = &bent[1], *const ad = &bent[2],
-                                       *const bc = &bent[3];
+    const footpoint_detail_f_lane_net_bent *const ab = &bent[0], *const dc = &bent[1],
+                                           *const ad = &bent[2], *const bc = &bent[3];
     int i;
-    footpoint_detail_f_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_f_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_f_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_f_bend(n[1], n[2], &bent[3]);
+    footpoint_detail_f_lane_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_f_lane_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_f_lane_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_f_lane_net_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
-        const float s = ab->begin[i] + ab->end[i], l = ab->begin[i] - ab->end[i];
-        const float S = dc->begin[i] + dc->end[i], L = dc->begin[i] - dc->end[i];
-        const float o = ad->begin[i] + ad->end[i], k = ad->begin[i] - ad->end[i];
-        const float O = bc->begin[i] + bc->end[i], K = bc->begin[i] - bc->end[i];
-        t->e[i] = 0.25f * (ab->edge[i] + dc->edge[i]);
-        t->f[i] = 0.25f * (ad->edge[i] + bc->edge[i]);
-        t->m[i] = 0.5f * (dc->edge[i] - ab->edge[i]);
-        t->x1[i] = 0.5f * (s + S);
-        t->x0[i] = 0.5f * (l + L);
-        t->X1[i] = S - s;
-        t->X0[i] = L - l;
-        t->y1[i] = 0.5f * (o + O);
-        t->y0[i] = 0.5f * (k + K);
-        t->Y1[i] = (O - o) - 0.5f * t->m[i];
-        t->Y0[i] = K - k;
+        const float s = (ab->begin)[i] + (ab->end)[i], l = (ab->begin)[i] - (ab->end)[i];
+        const float S = (dc->begin)[i] + (dc->end)[i], L = (dc->begin)[i] - (dc->end)[i];
+        const float o = (ad->begin)[i] + (ad->end)[i], k = (ad->begin)[i] - (ad->end)[i];
+        const float O = (bc->begin)[i] + (bc->end)[i], K = (bc->begin)[i] - (bc->end)[i];
+        (t->e)[i] = 0.25f * ((ab->edge)[i] + (dc->edge)[i]);
+        (t->f)[i] = 0.25f * ((ad->edge)[i] + (bc->edge)[i]);
+        (t->m)[i] = 0.5f * ((dc->edge)[i] - (ab->edge)[i]);
+        (t->x1)[i] = 0.5f * (s + S);
+        (t->x0)[i] = 0.5f * (l + L);
+        (t->X1)[i] = S - s;
+        (t->X0)[i] = L - l;
+        (t->y1)[i] = 0.5f * (o + O);
+        (t->y0)[i] = 0.5f * (k + K);
+        (t->Y1)[i] = (O - o) - 0.5f * (t->m)[i];
+        (t->Y0)[i] = K - k;
     }
     t->base = (footpoint_detail_f_sum(ab->edge) + footpoint_detail_f_sum(dc->edge)) +
               (footpoint_detail_f_sum(ad->edge) + footpoint_detail_f_sum(bc->edge));
-    footpoint_detail_f_net_bounds(n, t);
+    footpoint_detail_f_lane_net_bounds(n, t);
 }
 
 /* Computes tangents and second derivatives at (p,q), and d = xS - r. */
-FOOTPOINT_PART void footpoint_detail_f_net_local(const footpoint_detail_f_net *t, float p, float q,
-                                                 footpoint_detail_f_local *l)
+FOOTPOINT_PART void footpoint_detail_f_lane_net_local(const footpoint_detail_f_lane_net *t, float p, float q,
+                                                      footpoint_detail_f_local *l)
 {
     const float w = 1.0f - p * p, a = p * w, a1 = 1.0f - 3.0f * (p * p), p2 = p + p, p6 = 6.0f * p;
     const float z = 1.0f - q * q, c = q * z, c1 = 1.0f - 3.0f * (q * q), q2 = q + q, q6 = 6.0f * q;
@@ -1569,18 +1693,21 @@ FOOTPOINT_PART void footpoint_detail_f_net_local(const footpoint_detail_f_net *t
     int i;
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
-        const float X = p * t->m[i] + a * t->X1[i] - w * t->X0[i];
-        const float X1 = t->m[i] + a1 * t->X1[i] + p2 * t->X0[i];
-        const float X2 = 2.0f * t->X0[i] - p6 * t->X1[i];
-        const float Y = c * t->Y1[i] - z * t->Y0[i], Y1 = c1 * t->Y1[i] + q2 * t->Y0[i];
-        const float Y2 = 2.0f * t->Y0[i] - q6 * t->Y1[i];
-        l->d[i] = t->d[i] - p * t->e[i] - q * t->f[i] - (a * t->x1[i] - w * t->x0[i] + g * X) -
-                  (c * t->y1[i] - z * t->y0[i] + b * Y);
-        l->u[i] = t->e[i] + (a1 * t->x1[i] + p2 * t->x0[i]) + g * X1 + b1 * Y;
-        l->v[i] = t->f[i] + (c1 * t->y1[i] + q2 * t->y0[i]) + b * Y1 + g1 * X;
-        l->uu[i] = 2.0f * t->x0[i] - p6 * t->x1[i] + g * X2 + b2 * Y;
-        l->uv[i] = g1 * X1 + b1 * Y1;
-        l->vv[i] = 2.0f * t->y0[i] - q6 * t->y1[i] + b * Y2 + g2 * X;
+        const float X = p * (t->m)[i] + a * (t->X1)[i] - w * (t->X0)[i];
+        const float X1 = (t->m)[i] + a1 * (t->X1)[i] + p2 * (t->X0)[i];
+        const float X2 = 2.0f * (t->X0)[i] - p6 * (t->X1)[i];
+        const float Y = c * (t->Y1)[i] - z * (t->Y0)[i],
+                     Y1 = c1 * (t->Y1)[i] + q2 * (t->Y0)[i];
+        const float Y2 = 2.0f * (t->Y0)[i] - q6 * (t->Y1)[i];
+        (l->d)
+        [i] = (t->d)[i] - p * (t->e)[i] - q * (t->f)[i] -
+              (a * (t->x1)[i] - w * (t->x0)[i] + g * X) -
+              (c * (t->y1)[i] - z * (t->y0)[i] + b * Y);
+        (l->u)[i] = (t->e)[i] + (a1 * (t->x1)[i] + p2 * (t->x0)[i]) + g * X1 + b1 * Y;
+        (l->v)[i] = (t->f)[i] + (c1 * (t->y1)[i] + q2 * (t->y0)[i]) + b * Y1 + g1 * X;
+        (l->uu)[i] = 2.0f * (t->x0)[i] - p6 * (t->x1)[i] + g * X2 + b2 * Y;
+        (l->uv)[i] = g1 * X1 + b1 * Y1;
+        (l->vv)[i] = 2.0f * (t->y0)[i] - q6 * (t->y1)[i] + b * Y2 + g2 * X;
     }
 }
 #endif
@@ -1642,7 +1769,7 @@ FOOTPOINT_APART void footpoint_detail_f_narrow(footpoint_detail_f_block *FOOTPOI
  * f(x) f(y) twist, f(x) = (1 - x)^2, where x and y are half the distances from it along xi and eta. twists: sums of the
  * absolute coordinates. */
 typedef struct {
-    footpoint_detail_f_net net;
+    footpoint_detail_f_lane_net net;
     float inner[4][3], twist[4][3], twists[4];
 } footpoint_detail_f_gregory_lanes_terms;
 
@@ -1696,7 +1823,7 @@ FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_make(const float edge[3],
 }
 
 /* Computes the handles at the ends of an edge. */
-FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_handles(const footpoint_detail_f_bent *t, float a[3],
+FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_handles(const footpoint_detail_f_lane_net_bent *t, float a[3],
                                                              float b[3])
 {
     const float third = 1.0f / 3.0f, rise = 8.0f / 3.0f;
@@ -1720,13 +1847,14 @@ FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_handles(const footpoint_det
  *
  * Third derivatives of the part of `inner`, up to 1/8 beside the patch, are bounded term by term for w = 1 - p^2: its
  * first derivative by 2.25f, its second by 2, those of p w by 2.8f, 6.75f and 6. */
-FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_shape(const float *const *n, footpoint_detail_f_bent bent[4],
+FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_shape(const float *const *n,
+                                                           footpoint_detail_f_lane_net_bent bent[4],
                                                            footpoint_detail_f_gregory_lanes_terms *t)
 {
     footpoint_detail_f_gregory_lanes_end end[4][2]; /* of AB, DC, AD, BC */
     float handle[4][2][3], square[4], along[4][3], up[4][3], most, longest = 0.0f, sums[4];
     int c, i;
-    footpoint_detail_f_net_expand(n, bent, &t->net);
+    footpoint_detail_f_lane_net_expand(n, bent, &t->net);
     FOOTPOINT_WHOLE
     for (c = 0; c < 4; c++) {
         footpoint_detail_f_gregory_lanes_handles(&bent[c], handle[c][0], handle[c][1]);
@@ -1814,7 +1942,7 @@ FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_local(const footpoint_detai
     for (c = 0; c < 4; c++)
         footpoint_detail_f_gregory_lanes_twist(c == 1 || c == 2 ? -1.0f : 1.0f, c > 1 ? -1.0f : 1.0f, p, q,
                                                near[c], s[c]);
-    footpoint_detail_f_net_local(&t->net, p, q, l);
+    footpoint_detail_f_lane_net_local(&t->net, p, q, l);
     FOOTPOINT_WHOLE
     for (i = 0; i < 3; i++) {
         const float i0 = t->inner[0][i], i1 = t->inner[1][i], i2 = t->inner[2][i],
@@ -1857,14 +1985,6 @@ FOOTPOINT_PART float footpoint_detail_f_gregory_lanes_ball(float p, float q)
 {
     const float most = 0.2475f - 0.125f * (fabsf(p) + fabsf(q));
     return most < 0.125f ? most : 0.125f;
-}
-
-FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_expand(const float *const *x,
-                                                            footpoint_detail_f_gregory_lanes_terms *t)
-{
-    footpoint_detail_f_bent bent[4];
-    footpoint_detail_f_net_edges(x, bent, &t->net);
-    footpoint_detail_f_gregory_lanes_shape(x + 4, bent, t);
 }
 
 /* Clamps p to the patch. */
@@ -2025,7 +2145,7 @@ FOOTPOINT_APART void footpoint_detail_f_gregory_lanes_shapes(const footpoint_det
     FOOTPOINT_EACH
     for (l = 0; l < FOOTPOINT_LANES; l++) {
         footpoint_detail_f_gregory_lanes_one one;
-        footpoint_detail_f_bent bent[4];
+        footpoint_detail_f_lane_net_bent bent[4];
         float n[4][3];
         const float *const normal[4] = {n[0], n[1], n[2], n[3]};
         FOOTPOINT_WHOLE
@@ -2036,6 +2156,9 @@ FOOTPOINT_APART void footpoint_detail_f_gregory_lanes_shapes(const footpoint_det
                 n[k][i] = b->normal[k][i][l];
             }
         }
+        FOOTPOINT_WHOLE
+        for (i = 0; i < 3; i++) /* copied, but not computed here */
+            one.of.net.d[i] = one.v[footpoint_detail_f_gregory_lanes_count - 1][i] = 0.0f;
         footpoint_detail_f_gregory_lanes_shape(normal, bent, &one.of);
         FOOTPOINT_WHOLE
         for (k = 0; k < footpoint_detail_f_gregory_lanes_count; k++) {
@@ -2261,6 +2384,133 @@ FOOTPOINT_APART void footpoint_detail_f_gregory_lanes_run(footpoint_detail_f_gre
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_LANE_NET
+#define FOOTPOINT_DETAIL_LANE_NET
+/* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
+ * (1 - p^2) (p x1 - x0), and X, y and Y likewise: x bends the mean of the edges AB and DC, X is the excess bend of DC
+ * over AB. d = xS - r0.
+ *
+ * third: bounds of |r_ppp| + 2 |r_ppq| + |r_pqq|, and with p and q exchanged, within 1/8 of the patch. base: the sum of
+ * the edges' absolute coordinates; tilt: the largest square of a normal. Rounding, in units of u = 1.11e-16, if tilt <=
+ * 1.01: coordinates of d are off by place + 9 |D|, of tangents by turn, of second derivatives by 280 far, and r_p, r_q
+ * <= 2.5 far, r_pp, r_pq, r_qq <= 3.5 far.
+ *
+ * Derivation: P = |AB| + |DC|, Q = |AD| + |BC|, base = P + Q. begin and end are at most 0.127 of an edge, off by 0.64 u
+ * of it, so x1 and x0 are 0.127 P, off by 0.9 u P; X1, X0, Y0 twice that; Y1 0.51 Q, off by 2.3 u Q + 0.5 u P. |p| <=
+ * 1: |a| <= 0.385, |a1| <= 2, |b| <= 0.5, |b1| <= 0.75, off by 1.4, 8, 1.5, 1.5 u. In total, including sums: tangents
+ * 20.5 u Q + 8 u P, d without xS 11 u base, second derivatives 29 u P + 9 u Q; xS minus corners 3 u (|D| + 1.1 base),
+ * four subtractions 4 u |D| + 2 u base. */
+typedef struct {
+    double e[3], f[3], m[3], d[3], x0[3], x1[3], X0[3], X1[3];
+    double y0[3], y1[3], Y0[3], Y1[3];
+    double third[2], base, tilt, place, turn, far;
+} footpoint_detail_lane_net;
+
+/* An edge, and an eighth of its parts along the normals m and n at its ends. */
+typedef struct {
+    double edge[3], begin[3], end[3];
+} footpoint_detail_lane_net_bent;
+
+FOOTPOINT_PART void footpoint_detail_lane_net_bend(const double m[3], const double n[3],
+                                                   footpoint_detail_lane_net_bent *t)
+{
+    const double first = 0.125 * footpoint_detail_dot(t->edge, m);
+    const double second = 0.125 * footpoint_detail_dot(t->edge, n);
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        (t->begin)[i] = first * (m)[i];
+        (t->end)[i] = second * (n)[i];
+    }
+}
+
+/* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125, a, w and b, and their first and second
+ * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
+ * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
+ * 0.75 6.75 = 15.2 of Y1, 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7 of Y0, 1.69 of m; third[1] has 1.5 1.125 + 2 1.69 of m. */
+FOOTPOINT_PART void footpoint_detail_lane_net_bounds(const double *const *n, footpoint_detail_lane_net *t)
+{
+    const double X0 = footpoint_detail_sum(t->X0), X1 = footpoint_detail_sum(t->X1);
+    const double Y0 = footpoint_detail_sum(t->Y0), Y1 = footpoint_detail_sum(t->Y1);
+    const double m = footpoint_detail_sum(t->m);
+    t->third[0] =
+        6.0 * footpoint_detail_sum(t->x1) + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
+    t->third[1] =
+        6.0 * footpoint_detail_sum(t->y1) + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
+    t->tilt = footpoint_detail_greater(footpoint_detail_greater(footpoint_detail_dot(n[0], n[0]),
+                                                                footpoint_detail_dot(n[1], n[1])),
+                                       footpoint_detail_greater(footpoint_detail_dot(n[2], n[2]),
+                                                                footpoint_detail_dot(n[3], n[3])));
+    t->place = 29.0 * t->base;
+    t->turn = 35.0 * t->base;
+    t->far = t->base;
+}
+
+/* Computes the net from edges and normals n. */
+FOOTPOINT_PART void footpoint_detail_lane_net_expand(const double *const *n,
+                                                     footpoint_detail_lane_net_bent bent[4],
+                                                     footpoint_detail_lane_net *t)
+{
+    const footpoint_detail_lane_net_bent *const ab = &bent[0], *const dc = &bent[1],
+                                           *const ad = &bent[2], *const bc = &bent[3];
+    int i;
+    footpoint_detail_lane_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_lane_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_lane_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_lane_net_bend(n[1], n[2], &bent[3]);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const double s = (ab->begin)[i] + (ab->end)[i], l = (ab->begin)[i] - (ab->end)[i];
+        const double S = (dc->begin)[i] + (dc->end)[i], L = (dc->begin)[i] - (dc->end)[i];
+        const double o = (ad->begin)[i] + (ad->end)[i], k = (ad->begin)[i] - (ad->end)[i];
+        const double O = (bc->begin)[i] + (bc->end)[i], K = (bc->begin)[i] - (bc->end)[i];
+        (t->e)[i] = 0.25 * ((ab->edge)[i] + (dc->edge)[i]);
+        (t->f)[i] = 0.25 * ((ad->edge)[i] + (bc->edge)[i]);
+        (t->m)[i] = 0.5 * ((dc->edge)[i] - (ab->edge)[i]);
+        (t->x1)[i] = 0.5 * (s + S);
+        (t->x0)[i] = 0.5 * (l + L);
+        (t->X1)[i] = S - s;
+        (t->X0)[i] = L - l;
+        (t->y1)[i] = 0.5 * (o + O);
+        (t->y0)[i] = 0.5 * (k + K);
+        (t->Y1)[i] = (O - o) - 0.5 * (t->m)[i];
+        (t->Y0)[i] = K - k;
+    }
+    t->base = (footpoint_detail_sum(ab->edge) + footpoint_detail_sum(dc->edge)) +
+              (footpoint_detail_sum(ad->edge) + footpoint_detail_sum(bc->edge));
+    footpoint_detail_lane_net_bounds(n, t);
+}
+
+/* Computes tangents and second derivatives at (p,q), and d = xS - r. */
+FOOTPOINT_PART void footpoint_detail_lane_net_local(const footpoint_detail_lane_net *t, double p, double q,
+                                                    footpoint_detail_local *l)
+{
+    const double w = 1.0 - p * p, a = p * w, a1 = 1.0 - 3.0 * (p * p), p2 = p + p, p6 = 6.0 * p;
+    const double z = 1.0 - q * q, c = q * z, c1 = 1.0 - 3.0 * (q * q), q2 = q + q, q6 = 6.0 * q;
+    const double b = p * (0.5 + 0.25 * w), b1 = 0.75 * w, b2 = -1.5 * p;
+    const double g = q * (0.5 + 0.25 * z), g1 = 0.75 * z, g2 = -1.5 * q;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const double X = p * (t->m)[i] + a * (t->X1)[i] - w * (t->X0)[i];
+        const double X1 = (t->m)[i] + a1 * (t->X1)[i] + p2 * (t->X0)[i];
+        const double X2 = 2.0 * (t->X0)[i] - p6 * (t->X1)[i];
+        const double Y = c * (t->Y1)[i] - z * (t->Y0)[i],
+                     Y1 = c1 * (t->Y1)[i] + q2 * (t->Y0)[i];
+        const double Y2 = 2.0 * (t->Y0)[i] - q6 * (t->Y1)[i];
+        (l->d)
+        [i] = (t->d)[i] - p * (t->e)[i] - q * (t->f)[i] -
+              (a * (t->x1)[i] - w * (t->x0)[i] + g * X) -
+              (c * (t->y1)[i] - z * (t->y0)[i] + b * Y);
+        (l->u)[i] = (t->e)[i] + (a1 * (t->x1)[i] + p2 * (t->x0)[i]) + g * X1 + b1 * Y;
+        (l->v)[i] = (t->f)[i] + (c1 * (t->y1)[i] + q2 * (t->y0)[i]) + b * Y1 + g1 * X;
+        (l->uu)[i] = 2.0 * (t->x0)[i] - p6 * (t->x1)[i] + g * X2 + b2 * Y;
+        (l->uv)[i] = g1 * X1 + b1 * Y1;
+        (l->vv)[i] = 2.0 * (t->y0)[i] - q6 * (t->y1)[i] + b * Y2 + g2 * X;
+    }
+}
+#endif
+
 #ifndef FOOTPOINT_DETAIL_BLOCK
 #define FOOTPOINT_DETAIL_BLOCK
 /* Vectors x of pairs; edges AB, DC, AD, BC, normals, and xS minus the middle, for the search, in a unit of length in
@@ -2318,7 +2568,7 @@ FOOTPOINT_APART void footpoint_detail_narrow(footpoint_detail_block *FOOTPOINT_R
  * f(x) f(y) twist, f(x) = (1 - x)^2, where x and y are half the distances from it along xi and eta. twists: sums of the
  * absolute coordinates. */
 typedef struct {
-    footpoint_detail_net net;
+    footpoint_detail_lane_net net;
     double inner[4][3], twist[4][3], twists[4];
 } footpoint_detail_gregory_lanes_terms;
 
@@ -2371,7 +2621,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_lanes_make(const double edge[3],
 }
 
 /* Computes the handles at the ends of an edge. */
-FOOTPOINT_PART void footpoint_detail_gregory_lanes_handles(const footpoint_detail_bent *t, double a[3],
+FOOTPOINT_PART void footpoint_detail_gregory_lanes_handles(const footpoint_detail_lane_net_bent *t, double a[3],
                                                            double b[3])
 {
     const double third = 1.0 / 3.0, rise = 8.0 / 3.0;
@@ -2395,13 +2645,14 @@ FOOTPOINT_PART void footpoint_detail_gregory_lanes_handles(const footpoint_detai
  *
  * Third derivatives of the part of `inner`, up to 1/8 beside the patch, are bounded term by term for w = 1 - p^2: its
  * first derivative by 2.25, its second by 2, those of p w by 2.8, 6.75 and 6. */
-FOOTPOINT_PART void footpoint_detail_gregory_lanes_shape(const double *const *n, footpoint_detail_bent bent[4],
+FOOTPOINT_PART void footpoint_detail_gregory_lanes_shape(const double *const *n,
+                                                         footpoint_detail_lane_net_bent bent[4],
                                                          footpoint_detail_gregory_lanes_terms *t)
 {
     footpoint_detail_gregory_lanes_end end[4][2]; /* of AB, DC, AD, BC */
     double handle[4][2][3], square[4], along[4][3], up[4][3], most, longest = 0.0, sums[4];
     int c, i;
-    footpoint_detail_net_expand(n, bent, &t->net);
+    footpoint_detail_lane_net_expand(n, bent, &t->net);
     FOOTPOINT_WHOLE
     for (c = 0; c < 4; c++) {
         footpoint_detail_gregory_lanes_handles(&bent[c], handle[c][0], handle[c][1]);
@@ -2490,7 +2741,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_lanes_local(const footpoint_detail_
     for (c = 0; c < 4; c++)
         footpoint_detail_gregory_lanes_twist(c == 1 || c == 2 ? -1.0 : 1.0, c > 1 ? -1.0 : 1.0, p, q,
                                              near[c], s[c]);
-    footpoint_detail_net_local(&t->net, p, q, l);
+    footpoint_detail_lane_net_local(&t->net, p, q, l);
     FOOTPOINT_WHOLE
     for (i = 0; i < 3; i++) {
         const double i0 = t->inner[0][i], i1 = t->inner[1][i], i2 = t->inner[2][i],
@@ -2533,14 +2784,6 @@ FOOTPOINT_PART double footpoint_detail_gregory_lanes_ball(double p, double q)
 {
     const double most = 0.2475 - 0.125 * (fabs(p) + fabs(q));
     return most < 0.125 ? most : 0.125;
-}
-
-FOOTPOINT_PART void footpoint_detail_gregory_lanes_expand(const double *const *x,
-                                                          footpoint_detail_gregory_lanes_terms *t)
-{
-    footpoint_detail_bent bent[4];
-    footpoint_detail_net_edges(x, bent, &t->net);
-    footpoint_detail_gregory_lanes_shape(x + 4, bent, t);
 }
 
 /* Clamps p to the patch. */
@@ -2702,7 +2945,7 @@ FOOTPOINT_APART void footpoint_detail_gregory_lanes_shapes(const footpoint_detai
     FOOTPOINT_EACH
     for (l = 0; l < FOOTPOINT_LANES; l++) {
         footpoint_detail_gregory_lanes_one one;
-        footpoint_detail_bent bent[4];
+        footpoint_detail_lane_net_bent bent[4];
         double n[4][3];
         const double *const normal[4] = {n[0], n[1], n[2], n[3]};
         FOOTPOINT_WHOLE
@@ -2713,6 +2956,9 @@ FOOTPOINT_APART void footpoint_detail_gregory_lanes_shapes(const footpoint_detai
                 n[k][i] = b->normal[k][i][l];
             }
         }
+        FOOTPOINT_WHOLE
+        for (i = 0; i < 3; i++) /* copied, but not computed here */
+            one.of.net.d[i] = one.v[footpoint_detail_gregory_lanes_count - 1][i] = 0.0;
         footpoint_detail_gregory_lanes_shape(normal, bent, &one.of);
         FOOTPOINT_WHOLE
         for (k = 0; k < footpoint_detail_gregory_lanes_count; k++) {
@@ -3459,22 +3705,20 @@ FOOTPOINT_PART void footpoint_detail_gregory_bends(const footpoint_detail_gregor
 }
 
 /* Adds the second derivatives of f(x) f(y) g, g = x y (x - y) / (2 (x + y)), times e . twist, over a small part to
- * ranges, from the values in its middle (p,q): the factors of `twist` in footpoint_detail_gregory_corner minus half of
+ * ranges, from the values in its middle (p,q): the factors of `twist` in footpoint_detail_gregory_corners minus half of
  * the factors of `side`. Third derivatives are at most 17.6 + 2.92 / (x + y), see footpoint_detail_gregory_inner. */
 FOOTPOINT_COLD void footpoint_detail_gregory_widen_near(const footpoint_detail_gregory_terms *t,
                                                         const double e[3], double p, double q, double reach,
                                                         footpoint_detail_range *r)
 {
-    double near[4];
+    double near[4], s[6][4], w[6][4];
     int k, i;
     footpoint_detail_gregory_near(p, q, near);
+    footpoint_detail_gregory_corners(p, q, near, s, w);
     for (k = 0; k < 4; k++) {
         const double twist = footpoint_detail_dot(e, t->twist[k]);
-        double s[6], w[6];
-        footpoint_detail_gregory_corner(k == 1 || k == 2 ? -1.0 : 1.0, k > 1 ? -1.0 : 1.0, p, q,
-                                        near[k], s, w);
         for (i = 0; i < 3; i++) {
-            r->middle[i] += twist * (w[3 + i] - 0.5 * s[3 + i]);
+            r->middle[i] += twist * (w[3 + i][k] - 0.5 * s[3 + i][k]);
             r->half[i] += fabs(twist) * (17.6 + 2.92 * near[k]) * reach;
         }
     }
@@ -4088,7 +4332,7 @@ FOOTPOINT_COLD int footpoint_detail_gregory_split(const footpoint_detail_gregory
         least = footpoint_detail_gregory_least_of(&c, h);
         start[0] = middle[0];
         start[1] = middle[1];
-        if (least > most) {
+        if (least > most + z->off_dd) { /* as `most` is off by that */
             top--;
             continue;
         }
@@ -6756,5 +7000,9 @@ FOOTPOINT_FN int footpoint_gregory_full_closest_of(size_t n, const double *const
     return footpoint_detail_gregory_proved_closest_of(footpoint_gregory_full_detail_nearby, n, x, xS, 1, FOOTPOINT_GREGORY_FULL_PROMISE,
                                                       loc, dist, region, which);
 }
+
+#if FOOTPOINT_ORDERED
+#pragma float_control(pop)
+#endif
 
 #endif

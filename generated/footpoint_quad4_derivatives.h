@@ -88,9 +88,35 @@
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
+#ifndef FOOTPOINT_LOOSE /* 1 if the compiler announces that it may change results: then nothing is proved */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#define FOOTPOINT_LOOSE 1
+#elif defined(_M_FP_FAST) || (defined(__USE_FAST_MATH__) && __USE_FAST_MATH__)
+#define FOOTPOINT_LOOSE 1
+#else
+#define FOOTPOINT_LOOSE 0
+#endif
+#endif
+#ifndef FOOTPOINT_ORDERED /* 1 if a pragma switches off all parts of -ffast-math, of which clang announces few; clang 14
+                           * keeps approximate roots of floats, under -ffast-math -fhonor-nans for instance */
+#if !defined(__clang__) || defined(FOOTPOINT_DEVICE) || __clang_major__ < 12
+#define FOOTPOINT_ORDERED 0
+#elif defined(__x86_64__) || defined(__i386__) || defined(__powerpc64__)
+#define FOOTPOINT_ORDERED 1
+#elif defined(__aarch64__) && __clang_major__ >= 17
+#define FOOTPOINT_ORDERED 1
+#else
+#define FOOTPOINT_ORDERED 0
+#endif
+#endif
 #if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
+#endif
+#if FOOTPOINT_ORDERED
+#pragma float_control(push)
+#pragma float_control(precise, on)
+#pragma STDC FP_CONTRACT DEFAULT /* as the command line says */
 #endif
 
 #ifndef FOOTPOINT_OK
@@ -937,9 +963,12 @@ FOOTPOINT_PART double footpoint_quad4_gradients_along_detail_size(const double *
     double size = 0.0;
     int i, k;
     FOOTPOINT_UNROLL
-    for (k = 1; k < 4; k++)
+    for (k = 1; k < 4; k++) {
+        double edge[3];
         for (i = 0; i < 3; i++)
-            size += (x[k][i] - x[0][i]) * (x[k][i] - x[0][i]);
+            edge[i] = x[k][i] - x[0][i];
+        size += footpoint_detail_dot(edge, edge);
+    }
     return growth * size;
 }
 
@@ -969,12 +998,17 @@ FOOTPOINT_PART unsigned long long footpoint_quad4_gradients_along_detail(const d
     return flaw;
 }
 
-/* Repeats it in a unit of length in which the face is about 1 long. */
-FOOTPOINT_COLD int footpoint_quad4_gradients_along_detail_again(const double *const *x, const double along[3],
+/* Repeats it in a unit of length in which the face is about 1 long. Callers' arrays of pointers stay in registers, as
+ * none is passed. */
+FOOTPOINT_COLD int footpoint_quad4_gradients_along_detail_again(const double xA[3], const double xB[3],
+                                                                const double xC[3], const double xD[3],
+                                                                const double xS[3], const double along[3],
                                                                 const double loc[2],
-                                                                double *const *row)
+                                                                double *dist, double *d_xi, double *d_eta,
+                                                                double *d_dist)
 {
-    const double *y[5];
+    const double *const x[5] = {xA, xB, xC, xD, xS}, *y[5];
+    double *const row[4] = {dist, d_xi, d_eta, d_dist};
     double phi[4] = {0.0}, a[3] = {0.0}, b[3] = {0.0}, z[5][3], q[3], over;
     double *const found[8] = {phi, 0, 0, a, b};
     int exponent = 0, status = footpoint_detail_scale(x, 4, 5, z, &exponent), k;
@@ -1009,7 +1043,7 @@ FOOTPOINT_FN int footpoint_quad4_gradients_along(const double xA[3], const doubl
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double *const row[4] = {dist, d_xi, d_eta, d_dist};
     if (footpoint_quad4_gradients_along_detail(x, along, loc, 0, row) >> 63)
-        return footpoint_quad4_gradients_along_detail_again(x, along, loc, row);
+        return footpoint_quad4_gradients_along_detail_again(xA, xB, xC, xD, xS, along, loc, dist, d_xi, d_eta, d_dist);
     return FOOTPOINT_OK;
 }
 
@@ -1025,7 +1059,7 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     const int searched = search(xA, xB, xC, xD, xS, along, loc, dist); \
     int status = searched; \
     if (searched >= 0 && footpoint_quad4_gradients_along_detail(x, along, loc, dist, row) >> 63) \
-        status = footpoint_quad4_gradients_along_detail_again(x, along, loc, row); \
+        status = footpoint_quad4_gradients_along_detail_again(xA, xB, xC, xD, xS, along, loc, 0, d_xi, d_eta, d_dist); \
     return status < 0 ? status : searched; \
 }
 
@@ -1751,5 +1785,9 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[15], \
             status[i] = placed == FOOTPOINT_OK ? status[i] : placed; \
         } \
 }
+
+#if FOOTPOINT_ORDERED
+#pragma float_control(pop)
+#endif
 
 #endif

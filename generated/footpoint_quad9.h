@@ -101,9 +101,35 @@
 #define FOOTPOINT_RESTRICT
 #endif
 #endif
+#ifndef FOOTPOINT_LOOSE /* 1 if the compiler announces that it may change results: then nothing is proved */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#define FOOTPOINT_LOOSE 1
+#elif defined(_M_FP_FAST) || (defined(__USE_FAST_MATH__) && __USE_FAST_MATH__)
+#define FOOTPOINT_LOOSE 1
+#else
+#define FOOTPOINT_LOOSE 0
+#endif
+#endif
+#ifndef FOOTPOINT_ORDERED /* 1 if a pragma switches off all parts of -ffast-math, of which clang announces few; clang 14
+                           * keeps approximate roots of floats, under -ffast-math -fhonor-nans for instance */
+#if !defined(__clang__) || defined(FOOTPOINT_DEVICE) || __clang_major__ < 12
+#define FOOTPOINT_ORDERED 0
+#elif defined(__x86_64__) || defined(__i386__) || defined(__powerpc64__)
+#define FOOTPOINT_ORDERED 1
+#elif defined(__aarch64__) && __clang_major__ >= 17
+#define FOOTPOINT_ORDERED 1
+#else
+#define FOOTPOINT_ORDERED 0
+#endif
+#endif
 #if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
+#endif
+#if FOOTPOINT_ORDERED
+#pragma float_control(push)
+#pragma float_control(precise, on)
+#pragma STDC FP_CONTRACT DEFAULT /* as the command line says */
 #endif
 
 #ifndef FOOTPOINT_OK
@@ -353,14 +379,10 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 
 #ifndef FOOTPOINT_DETAIL_BOUNDS
 #define FOOTPOINT_DETAIL_BOUNDS
-/* Returns its highest bit set if compilers may reorder sums, in which case nothing is proved. */
+/* Returns its highest bit set if the compiler may change results, in which case nothing is proved. */
 FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return (unsigned long long)1 << 63;
-#else
-    return 0;
-#endif
+    return (unsigned long long)FOOTPOINT_LOOSE << 63;
 }
 
 /* Returns the greater number; a comparison with NaN raises no exception. */
@@ -401,7 +423,7 @@ FOOTPOINT_PART double footpoint_detail_root_bound(double x)
 #define FOOTPOINT_DETAIL_LOCAL
 /* Tangents u = r_xi and v = r_eta, second derivatives, and d = xS - r. */
 typedef struct {
-    double u[3], v[3], uu[3], uv[3], vv[3], d[3];
+    double u[4], v[4], uu[4], uv[4], vv[4], d[4]; /* the last of four: see patch_three.h */
 } footpoint_detail_local;
 
 /* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the squared distance and per = 1 / det. */
@@ -423,8 +445,8 @@ FOOTPOINT_PART void footpoint_detail_newton_of(const footpoint_detail_local *r,
 }
 #endif
 
-#ifndef FOOTPOINT_QUAD9_ANSWER
-#define FOOTPOINT_QUAD9_ANSWER
+#ifndef FOOTPOINT_QUAD9_TERMS
+#define FOOTPOINT_QUAD9_TERMS
 /* r = M + xi e + eta f + xi^2 a / 2 + xi eta b + eta^2 c / 2 + xi^2 eta g / 2 + xi eta^2 h / 2 + xi^2 eta^2 k / 4, M
  * the node in the middle, d = xS - M; `size`: the root of the sum of the squares of half the edges and of the lines
  * from M to the nodes between corners. Rounding: differences are off by a unit, e to h by 3, k by 4. */
@@ -432,31 +454,40 @@ typedef struct {
     double e[3], f[3], a[3], b[3], c[3], g[3], h[3], k[3], d[3], size;
 } footpoint_detail_quad9_terms;
 
-FOOTPOINT_PART void footpoint_detail_quad9_expand(const double *const *x,
-                                                  footpoint_detail_quad9_terms *t)
+/* Computes coordinate i of the terms, without `size`, from that of the nodes. */
+FOOTPOINT_PART void footpoint_detail_quad9_axis(const double x[10], int i,
+                                                footpoint_detail_quad9_terms *t)
 {
-    double squares = 0.0;
+    const double ae = x[0] - x[4], be = x[1] - x[4], bf = x[1] - x[5];
+    const double cf = x[2] - x[5], cg = x[2] - x[6], dg = x[3] - x[6];
+    const double dh = x[3] - x[7], ah = x[0] - x[7];
+    const double em = x[4] - x[8], fm = x[5] - x[8], gm = x[6] - x[8];
+    const double hm = x[7] - x[8], ab = ae + be, bc = bf + cf, cd = cg + dg, da = dh + ah;
+    t->e[i] = 0.5 * (x[5] - x[7]);
+    t->f[i] = 0.5 * (x[6] - x[4]);
+    t->a[i] = fm + hm;
+    t->b[i] = 0.25 * ((x[0] - x[1]) + (x[2] - x[3]));
+    t->c[i] = em + gm;
+    t->g[i] = 0.5 * (cd - ab);
+    t->h[i] = 0.5 * (bc - da);
+    t->k[i] = (ab + cd) - 2.0 * t->a[i];
+    t->d[i] = x[9] - x[8];
+}
+
+/* Returns the square of `size` from the other terms. */
+FOOTPOINT_PART double footpoint_detail_quad9_square(const footpoint_detail_quad9_terms *t)
+{
+    double sum = 0.0;
     int i;
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
-        const double ae = x[0][i] - x[4][i], be = x[1][i] - x[4][i], bf = x[1][i] - x[5][i];
-        const double cf = x[2][i] - x[5][i], cg = x[2][i] - x[6][i], dg = x[3][i] - x[6][i];
-        const double dh = x[3][i] - x[7][i], ah = x[0][i] - x[7][i];
-        const double em = x[4][i] - x[8][i], fm = x[5][i] - x[8][i], gm = x[6][i] - x[8][i];
-        const double hm = x[7][i] - x[8][i], ab = ae + be, bc = bf + cf, cd = cg + dg, da = dh + ah;
-        t->e[i] = 0.5 * (x[5][i] - x[7][i]);
-        t->f[i] = 0.5 * (x[6][i] - x[4][i]);
-        t->a[i] = fm + hm;
-        t->b[i] = 0.25 * ((x[0][i] - x[1][i]) + (x[2][i] - x[3][i]));
-        t->c[i] = em + gm;
-        t->g[i] = 0.5 * (cd - ab);
-        t->h[i] = 0.5 * (bc - da);
-        t->k[i] = (ab + cd) - 2.0 * t->a[i];
-        t->d[i] = x[9][i] - x[8][i];
-        squares += ae * ae + be * be + bf * bf + cf * cf + cg * cg + dg * dg + dh * dh + ah * ah;
-        squares += em * em + fm * fm + gm * gm + hm * hm;
+        const double e = 2.0 * t->e[i] + t->h[i], f = 2.0 * t->f[i] + t->g[i];
+        const double a = t->a[i] + 0.5 * t->k[i], c = t->c[i] + 0.5 * t->k[i];
+        sum += e * e + f * f + 8.0 * t->b[i] * t->b[i] + a * a + c * c + t->g[i] * t->g[i];
+        sum += t->h[i] * t->h[i] + 2.0 * (t->e[i] * t->e[i] + t->f[i] * t->f[i]);
+        sum += 0.5 * (t->a[i] * t->a[i] + t->c[i] * t->c[i]);
     }
-    t->size = sqrt(squares);
+    return sum;
 }
 
 /* Computes r - r0 - p e - q f at (p,q), from the middle, without k. */
@@ -534,6 +565,22 @@ FOOTPOINT_PART double footpoint_detail_quad9_middle(void)
     return 4 == 3 ? 1.0 / 3.0 : 0.0;
 }
 
+/* Computes the terms of a face and a slave node. */
+FOOTPOINT_PART void footpoint_detail_quad9_expand(const double *const *x,
+                                                  footpoint_detail_quad9_terms *of)
+{
+    int i, k;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        double node[10];
+        FOOTPOINT_UNROLL
+        for (k = 0; k < 10; k++)
+            node[k] = x[k][i];
+        footpoint_detail_quad9_axis(node, i, of);
+    }
+    of->size = sqrt(footpoint_detail_quad9_square(of));
+}
+
 /* Takes a Gauss-Newton step from the middle, less the effect of curvature along it. */
 FOOTPOINT_PART void footpoint_detail_quad9_start(const footpoint_detail_quad9_terms *of, double *p,
                                                  double *q)
@@ -561,7 +608,10 @@ FOOTPOINT_PART void footpoint_detail_quad9_bare(const footpoint_detail_quad9_ter
     *p += n.s;
     *q += n.t;
 }
+#endif
 
+#ifndef FOOTPOINT_QUAD9_ANSWER
+#define FOOTPOINT_QUAD9_ANSWER
 /* Takes a Newton step, too. The highest bit of the result is not set if a minimum of the distance is proved to lie
  * within promise * max(1, |xi|, |eta|) of the answer.
  *
@@ -1006,41 +1056,6 @@ FOOTPOINT_PART void footpoint_detail_quad9_full(footpoint_detail_search *search,
     *eta = loc[1];
 }
 
-FOOTPOINT_PART void footpoint_detail_quad9_checked_n(footpoint_detail_search *search, size_t n,
-                                                     const double *const *x, int nodes, double promise,
-                                                     double *FOOTPOINT_RESTRICT xi,
-                                                     double *FOOTPOINT_RESTRICT eta,
-                                                     double *FOOTPOINT_RESTRICT gap,
-                                                     int *FOOTPOINT_RESTRICT status)
-{
-    const double zero = footpoint_detail_zero();
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[10][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]},
-            {x[27][i], x[28][i], x[29][i]}};
-        const double *const row[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, zero, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    for (i = 0; i < n; i++)
-        if (status[i] != FOOTPOINT_OK) {
-            const double p[10][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]},
-            {x[27][i], x[28][i], x[29][i]}};
-            const double *const row[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
-            footpoint_detail_quad9_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
-                                        &status[i]);
-        } else
-            status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
-}
-
 /* Searches slave nodes x over a segment, copied to c, which no result can change, so that its own values are computed once. */
 FOOTPOINT_PART void
 footpoint_detail_quad9_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
@@ -1073,6 +1088,824 @@ footpoint_detail_quad9_over_n(footpoint_detail_search *search, const double *con
                                         &status[i]);
         } else
             status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_BITS_F
+#define FOOTPOINT_DETAIL_BITS_F
+/* Statuses depend on the bits of numbers, because -ffast-math does not change integers.  The bits of infinity, as an
+ * integer, are above all finite numbers, and NaN is above infinity.  The functions below return their result in the
+ * highest bit. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_bits(float x)
+{
+    union {
+        float number;
+        unsigned int bits;
+    } both;
+    both.number = x;
+    return both.bits;
+}
+
+/* Returns a 0 that compilers do not know.  It is added to operands of min and max in loops over arrays, for which gcc
+ * otherwise emits four instructions instead of one. */
+FOOTPOINT_PART float footpoint_detail_f_zero(void)
+{
+    const volatile int zero = 0;
+    return (float)zero;
+}
+
+/* Tests that not 2^-96 <= |x| < 2^32: room for products of the parts of x, and half of all exponents. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_outside(float x)
+{
+    return 2 * footpoint_detail_f_bits(x) - ((unsigned int)31 << 24);
+}
+
+/* Tests |x| < least. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_below(float x, float least)
+{
+    return (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1) - footpoint_detail_f_bits(least);
+}
+
+/* Tests |x| > most, or NaN. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_above(float x, float most)
+{
+    return footpoint_detail_f_bits(most) - (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1);
+}
+
+/* Tests that x is infinite or NaN. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_infinite(float x)
+{
+    return (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1) + ((unsigned int)1 << (24 - 1));
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_PRODUCTS_F
+#define FOOTPOINT_DETAIL_PRODUCTS_F
+FOOTPOINT_PART void footpoint_detail_f_from(const float a[3], const float b[3], float d[3])
+{
+    d[0] = b[0] - a[0];
+    d[1] = b[1] - a[1];
+    d[2] = b[2] - a[2];
+}
+
+FOOTPOINT_PART void footpoint_detail_f_cross(const float a[3], const float b[3], float c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+FOOTPOINT_PART float footpoint_detail_f_dot(const float a[3], const float b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_BOUNDS_F
+#define FOOTPOINT_DETAIL_BOUNDS_F
+/* Returns its highest bit set if the compiler may change results, in which case nothing is proved. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
+{
+    return (unsigned int)FOOTPOINT_LOOSE << 31;
+}
+
+/* Returns the greater number; a comparison with NaN raises no exception. */
+FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
+{
+#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+    return __builtin_isgreater(a, b) ? a : b;
+#else
+    return a > b ? a : b;
+#endif
+}
+
+/* Returns the sum of the absolute values. */
+FOOTPOINT_PART float footpoint_detail_f_sum(const float a[3])
+{
+    return fabsf(a[0]) + fabsf(a[1]) + fabsf(a[2]);
+}
+
+/* Returns the scalar product of a, >= 0, and |b|. */
+FOOTPOINT_PART float footpoint_detail_f_weigh(const float a[3], const float b[3])
+{
+    return a[0] * fabsf(b[0]) + a[1] * fabsf(b[1]) + a[2] * fabsf(b[2]);
+}
+
+/* Not less than the root of x >= 0, and at most 1.061f times that: half of its exponent, as logarithms have it. */
+FOOTPOINT_PART float footpoint_detail_f_root_bound(float x)
+{
+    union {
+        float number;
+        unsigned int bits;
+    } both;
+    both.bits = (footpoint_detail_f_bits(x) >> 1) + (footpoint_detail_f_bits(1.0f) >> 1);
+    return both.number;
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_LOCAL_F
+#define FOOTPOINT_DETAIL_LOCAL_F
+/* Tangents u = r_xi and v = r_eta, second derivatives, and d = xS - r. */
+typedef struct {
+    float u[4], v[4], uu[4], uv[4], vv[4], d[4]; /* the last of four: see patch_three.h */
+} footpoint_detail_f_local;
+
+/* Newton's step (s,t) there, with the Hessian [r11 r12; r12 r22] of half the squared distance and per = 1 / det. */
+typedef struct {
+    float r11, r12, r22, det, per, s, t;
+} footpoint_detail_f_newton;
+
+FOOTPOINT_PART void footpoint_detail_f_newton_of(const footpoint_detail_f_local *r,
+                                                 footpoint_detail_f_newton *n)
+{
+    const float f = footpoint_detail_f_dot(r->u, r->d), g = footpoint_detail_f_dot(r->v, r->d);
+    n->r11 = footpoint_detail_f_dot(r->u, r->u) - footpoint_detail_f_dot(r->uu, r->d);
+    n->r12 = footpoint_detail_f_dot(r->u, r->v) - footpoint_detail_f_dot(r->uv, r->d);
+    n->r22 = footpoint_detail_f_dot(r->v, r->v) - footpoint_detail_f_dot(r->vv, r->d);
+    n->det = n->r11 * n->r22 - n->r12 * n->r12;
+    n->per = 1.0f / n->det;
+    n->s = (n->r22 * f - n->r12 * g) * n->per;
+    n->t = (n->r11 * g - n->r12 * f) * n->per;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD9_TERMS_F
+#define FOOTPOINT_QUAD9_TERMS_F
+/* r = M + xi e + eta f + xi^2 a / 2 + xi eta b + eta^2 c / 2 + xi^2 eta g / 2 + xi eta^2 h / 2 + xi^2 eta^2 k / 4, M
+ * the node in the middle, d = xS - M; `size`: the root of the sum of the squares of half the edges and of the lines
+ * from M to the nodes between corners. Rounding: differences are off by a unit, e to h by 3, k by 4. */
+typedef struct {
+    float e[3], f[3], a[3], b[3], c[3], g[3], h[3], k[3], d[3], size;
+} footpoint_detail_f_quad9_terms;
+
+/* Computes coordinate i of the terms, without `size`, from that of the nodes. */
+FOOTPOINT_PART void footpoint_detail_f_quad9_axis(const float x[10], int i,
+                                                  footpoint_detail_f_quad9_terms *t)
+{
+    const float ae = x[0] - x[4], be = x[1] - x[4], bf = x[1] - x[5];
+    const float cf = x[2] - x[5], cg = x[2] - x[6], dg = x[3] - x[6];
+    const float dh = x[3] - x[7], ah = x[0] - x[7];
+    const float em = x[4] - x[8], fm = x[5] - x[8], gm = x[6] - x[8];
+    const float hm = x[7] - x[8], ab = ae + be, bc = bf + cf, cd = cg + dg, da = dh + ah;
+    t->e[i] = 0.5f * (x[5] - x[7]);
+    t->f[i] = 0.5f * (x[6] - x[4]);
+    t->a[i] = fm + hm;
+    t->b[i] = 0.25f * ((x[0] - x[1]) + (x[2] - x[3]));
+    t->c[i] = em + gm;
+    t->g[i] = 0.5f * (cd - ab);
+    t->h[i] = 0.5f * (bc - da);
+    t->k[i] = (ab + cd) - 2.0f * t->a[i];
+    t->d[i] = x[9] - x[8];
+}
+
+/* Returns the square of `size` from the other terms. */
+FOOTPOINT_PART float footpoint_detail_f_quad9_square(const footpoint_detail_f_quad9_terms *t)
+{
+    float sum = 0.0f;
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const float e = 2.0f * t->e[i] + t->h[i], f = 2.0f * t->f[i] + t->g[i];
+        const float a = t->a[i] + 0.5f * t->k[i], c = t->c[i] + 0.5f * t->k[i];
+        sum += e * e + f * f + 8.0f * t->b[i] * t->b[i] + a * a + c * c + t->g[i] * t->g[i];
+        sum += t->h[i] * t->h[i] + 2.0f * (t->e[i] * t->e[i] + t->f[i] * t->f[i]);
+        sum += 0.5f * (t->a[i] * t->a[i] + t->c[i] * t->c[i]);
+    }
+    return sum;
+}
+
+/* Computes r - r0 - p e - q f at (p,q), from the middle, without k. */
+FOOTPOINT_PART void footpoint_detail_f_quad9_arc(const footpoint_detail_f_quad9_terms *t, float p,
+                                                 float q, float w[3])
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++)
+        w[i] = p * (0.5f * p * (t->a[i] + q * t->g[i]) + q * (t->b[i] + 0.5f * q * t->h[i])) +
+               0.5f * (q * q) * t->c[i];
+}
+
+/* Computes tangents and second derivatives at (p,q), and d = xS - r. */
+FOOTPOINT_PART void footpoint_detail_f_quad9_local(const footpoint_detail_f_quad9_terms *t, float p,
+                                                   float q, footpoint_detail_f_local *l)
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const float pg = p * t->g[i], qh = q * t->h[i], pk = p * t->k[i];
+        const float m = t->e[i] + q * (t->b[i] + 0.5f * qh), n = t->f[i] + p * (t->b[i] + 0.5f * pg);
+        l->uu[i] = t->a[i] + q * (t->g[i] + 0.5f * (q * t->k[i]));
+        l->uv[i] = t->b[i] + pg + q * (t->h[i] + pk);
+        l->vv[i] = t->c[i] + p * (t->h[i] + 0.5f * pk);
+        l->u[i] = m + p * l->uu[i];
+        l->v[i] = n + q * l->vv[i];
+        l->d[i] = t->d[i] - p * (m + 0.5f * (p * l->uu[i])) - q * (t->f[i] + 0.5f * (q * t->c[i]));
+    }
+}
+
+/* Returns a bound, over `size`, on |r - M|, |r_xi| and |r_eta|, and, times 1.8f, on second derivatives, for |xi| = x and
+ * |eta| = y, and for sums of absolute values: e to h are at most as long as `size`, except a and c, which are at most
+ * the root of 2 times, and k, which is at most the root of 12 times as long. */
+FOOTPOINT_PART float footpoint_detail_f_quad9_growth(float x, float y)
+{
+    return 1.2f * (1.0f + x + x * x) * (1.0f + y + y * y);
+}
+
+/* Returns an equally tight bound on |r - r0|, and 0.4f for d at the middle: e and f are at most as long as `size` over
+ * the root of 2. */
+FOOTPOINT_PART float footpoint_detail_f_quad9_spread(float x, float y)
+{
+    const float xy = x * y;
+    return 0.4f + (x + y) * (0.71f + 0.5f * xy) + 0.71f * (x * x + y * y) + xy * (0.5f + 0.87f * xy);
+}
+
+/* Bounds twice |r_xi xi eta| + |r_xi eta eta|, and with xi and eta exchanged, within 1/8 of (x,y). */
+FOOTPOINT_PART void footpoint_detail_f_quad9_third(const footpoint_detail_f_quad9_terms *t, float x,
+                                                   float y, float third[2])
+{
+    const float k = footpoint_detail_f_sum(t->k);
+    const float g = footpoint_detail_f_sum(t->g) + (y + 0.125f) * k;
+    const float h = footpoint_detail_f_sum(t->h) + (x + 0.125f) * k;
+    third[0] = 2.0f * g + h;
+    third[1] = g + 2.0f * h;
+}
+
+/* Computes the third and fourth derivatives r_xi xi eta, r_xi eta eta, r_xi xi eta eta at (p,q). */
+FOOTPOINT_PART void footpoint_detail_f_quad9_mixed(const footpoint_detail_f_quad9_terms *t, float p,
+                                                   float q, float uuv[3], float uvv[3], float k[3])
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        uuv[i] = t->g[i] + q * t->k[i];
+        uvv[i] = t->h[i] + p * t->k[i];
+        k[i] = t->k[i];
+    }
+}
+
+/* Returns the middle's coordinate. Below, coordinates (p,q) are (xi,eta) less the middle's. */
+FOOTPOINT_PART float footpoint_detail_f_quad9_middle(void)
+{
+    return 4 == 3 ? 1.0f / 3.0f : 0.0f;
+}
+
+/* Computes the terms of a face and a slave node. */
+FOOTPOINT_PART void footpoint_detail_f_quad9_expand(const float *const *x,
+                                                    footpoint_detail_f_quad9_terms *of)
+{
+    int i, k;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        float node[10];
+        FOOTPOINT_UNROLL
+        for (k = 0; k < 10; k++)
+            node[k] = x[k][i];
+        footpoint_detail_f_quad9_axis(node, i, of);
+    }
+    of->size = sqrtf(footpoint_detail_f_quad9_square(of));
+}
+
+/* Takes a Gauss-Newton step from the middle, less the effect of curvature along it. */
+FOOTPOINT_PART void footpoint_detail_f_quad9_start(const footpoint_detail_f_quad9_terms *of, float *p,
+                                                   float *q)
+{
+    const float ee = footpoint_detail_f_dot(of->e, of->e), ef = footpoint_detail_f_dot(of->e, of->f);
+    const float ff = footpoint_detail_f_dot(of->f, of->f), per = 1.0f / (ee * ff - ef * ef);
+    const float f = footpoint_detail_f_dot(of->d, of->e), g = footpoint_detail_f_dot(of->d, of->f);
+    const float s = (ff * f - ef * g) * per, t = (ee * g - ef * f) * per;
+    float w[3], along, across;
+    footpoint_detail_f_quad9_arc(of, s, t, w);
+    along = footpoint_detail_f_dot(of->e, w);
+    across = footpoint_detail_f_dot(of->f, w);
+    *p = s - (ff * along - ef * across) * per;
+    *q = t - (ee * across - ef * along) * per;
+}
+
+/* Takes a Newton step from (*p,*q) to the foot point. */
+FOOTPOINT_PART void footpoint_detail_f_quad9_bare(const footpoint_detail_f_quad9_terms *of, float *p,
+                                                  float *q)
+{
+    footpoint_detail_f_local r;
+    footpoint_detail_f_newton n;
+    footpoint_detail_f_quad9_local(of, *p, *q, &r);
+    footpoint_detail_f_newton_of(&r, &n);
+    *p += n.s;
+    *q += n.t;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD9_SIDE_ROOT
+#define FOOTPOINT_QUAD9_SIDE_ROOT
+/* Computes 1 / sqrt(x) of ordinary x. It avoids sqrt if that may set errno, because then loops would not vectorise. */
+FOOTPOINT_PART double footpoint_detail_quad9_side_root(double x)
+{
+#if defined(__NO_MATH_ERRNO__) || !defined(__GNUC__)
+    return 1.0 / sqrt(x);
+#else
+    union {
+        double number;
+        unsigned long long bits;
+    } y;
+    const double half = 0.5 * x;
+    double e;
+    y.bits = 0x5fe6eb50c7b537a9ull - footpoint_detail_bits(x) / 2;
+    y.number *= 1.5 - half * (y.number * y.number);
+    y.number *= 1.5 - half * (y.number * y.number);
+    e = 0.5 - half * (y.number * y.number);
+    return y.number + y.number * e * (1.0 + 1.5 * e);
+#endif
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD9_CURVED_BLOCK
+#define FOOTPOINT_QUAD9_CURVED_BLOCK
+enum { footpoint_detail_quad9_side = 32 }; /* pairs at a time */
+
+/* The terms of a face, one by one; the last is `size`. */
+typedef union {
+    footpoint_detail_quad9_terms of;
+    double number[sizeof(footpoint_detail_quad9_terms) / sizeof(double)];
+} footpoint_detail_quad9_side_terms;
+
+enum {
+    footpoint_detail_quad9_side_vectors = sizeof(footpoint_detail_quad9_terms) / sizeof(double) / 3
+};
+
+/* Holds values of pairs. `term` has the vectors of faces; `narrow` has them rounded, in a unit of length, a power of
+ * 2, in which the absolute values of the coordinates of e and f add up to 1 to 2; `square` changes products of
+ * lengths to that unit. Steps in single precision end at (p,q), from the middle; the answer is (xi,eta). Slopes f and
+ * g, and a11 to `flat`, prove it: see footpoint_detail_f_quad9_side_prove. A pair is not proved if the highest bit of
+ * `doubt` or `wide` is set. */
+typedef struct {
+    double x[30][footpoint_detail_quad9_side];
+    double term[footpoint_detail_quad9_side_vectors][3][footpoint_detail_quad9_side], square[footpoint_detail_quad9_side];
+    double xi[footpoint_detail_quad9_side], eta[footpoint_detail_quad9_side];
+    double f[footpoint_detail_quad9_side], g[footpoint_detail_quad9_side];
+    double gap[footpoint_detail_quad9_side];
+    float narrow[footpoint_detail_quad9_side_vectors][3][footpoint_detail_quad9_side];
+    float p[footpoint_detail_quad9_side], q[footpoint_detail_quad9_side];
+    float a11[footpoint_detail_quad9_side], a12[footpoint_detail_quad9_side];
+    float a22[footpoint_detail_quad9_side], most[footpoint_detail_quad9_side];
+    float turn[footpoint_detail_quad9_side], off[footpoint_detail_quad9_side], bend[footpoint_detail_quad9_side], flat[footpoint_detail_quad9_side];
+    unsigned int range[footpoint_detail_quad9_side], doubt[footpoint_detail_quad9_side], wide[footpoint_detail_quad9_side];
+} footpoint_detail_quad9_block;
+
+/* Computes terms from columns x. */
+FOOTPOINT_APART void footpoint_detail_quad9_side_narrow(const double *const *x,
+                                                        footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    int l, i, k;
+    for (i = 0; i < 3; i++) {
+        const double *column[10];
+        for (k = 0; k < 10; k++)
+            column[k] = x[3 * k + i];
+        FOOTPOINT_EACH
+        for (l = 0; l < footpoint_detail_quad9_side; l++) {
+            footpoint_detail_quad9_side_terms face;
+            double node[10];
+            FOOTPOINT_WHOLE
+            for (k = 0; k < 10; k++)
+                node[k] = column[k][l];
+            footpoint_detail_quad9_axis(node, 0, &face.of);
+            FOOTPOINT_WHOLE
+            for (k = 0; k < footpoint_detail_quad9_side_vectors; k++)
+                t->term[k][i][l] = face.number[3 * k];
+        }
+    }
+}
+
+/* Puts the answer where steps in single precision have ended. */
+FOOTPOINT_APART void footpoint_detail_quad9_side_settle(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    const double middle = footpoint_detail_quad9_middle();
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+        t->xi[l] = (double)t->p[l] + middle;
+        t->eta[l] = (double)t->q[l] + middle;
+    }
+}
+
+/* Computes the slopes f = r_xi . D and g = r_eta . D at (xi,eta), with D = xS - r, in the unit of `narrow`, and the
+ * gap, if they are asked for. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_place(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t, int slopes,
+                                                      int gap)
+{
+    const double middle = footpoint_detail_quad9_middle();
+    int l, k;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+        footpoint_detail_quad9_side_terms face;
+        footpoint_detail_local r;
+        double n[3];
+        FOOTPOINT_WHOLE
+        for (k = 0; k < 3 * footpoint_detail_quad9_side_vectors; k++)
+            face.number[k] = t->term[k / 3][k % 3][l];
+        footpoint_detail_quad9_local(&face.of, t->xi[l] - middle, t->eta[l] - middle, &r);
+        if (slopes) {
+            t->f[l] = footpoint_detail_dot(r.u, r.d) * t->square[l];
+            t->g[l] = footpoint_detail_dot(r.v, r.d) * t->square[l];
+        }
+        if (gap) {
+            footpoint_detail_cross(r.u, r.v, n);
+            t->gap[l] = footpoint_detail_dot(r.d, n) *
+                        footpoint_detail_quad9_side_root(footpoint_detail_dot(n, n));
+        }
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_quad9_side_slopes(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_quad9_side_place(t, 1, 0);
+}
+
+FOOTPOINT_APART void footpoint_detail_quad9_side_gaps(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_quad9_side_place(t, 0, 1);
+}
+
+FOOTPOINT_APART void footpoint_detail_quad9_side_slopes_and_gaps(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    footpoint_detail_quad9_side_place(t, 1, 1);
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD9_SIDE_CORRECT_F
+#define FOOTPOINT_QUAD9_SIDE_CORRECT_F
+/* Returns the greater of two numbers >= 0, or NaN. It compares bits, because vector instructions for maxima raise
+ * exceptions of NaN. */
+FOOTPOINT_PART float footpoint_detail_f_quad9_side_greater(float a, float b)
+{
+    union {
+        unsigned int bits;
+        float number;
+    } most;
+    const unsigned int x = footpoint_detail_f_bits(a), y = footpoint_detail_f_bits(b);
+    most.bits = x > y ? x : y;
+    return most.number;
+}
+
+/* Moves the answer by A (f,g).  See footpoint_detail_f_quad9_side_bound. */
+FOOTPOINT_PART void footpoint_detail_f_quad9_side_correct(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t, int l,
+                                                          float f,
+                                                          float g, float promise)
+{
+    const float s1 = t->a11[l] * f, s2 = t->a12[l] * g, t1 = t->a12[l] * f, t2 = t->a22[l] * g;
+    const float sum = footpoint_detail_f_quad9_side_greater(fabsf(s1) + fabsf(s2), fabsf(t1) + fabsf(t2));
+    const float off = 5.0f * 6e-8f * sum + t->off[l];
+    const float step = footpoint_detail_f_quad9_side_greater(fabsf(s1 + s2), fabsf(t1 + t2)) + off;
+    const float h = t->most[l] + t->turn[l] * step;
+    const float room = 0.999f * promise - 4e-15f - (1.3f * h * step + 1.01f * off);
+    t->xi[l] += (double)(s1 + s2);
+    t->eta[l] += (double)(t1 + t2);
+    t->most[l] = h;
+    t->doubt[l] |= footpoint_detail_f_bits(0.08f - step) | footpoint_detail_f_bits(0.199f - h) |
+                   footpoint_detail_f_bits(t->flat[l] - t->bend[l] * step);
+    t->wide[l] = footpoint_detail_f_bits(room) | footpoint_detail_f_infinite(room);
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad9_side_corrections(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
+                                                               float promise)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad9_side; l++)
+        footpoint_detail_f_quad9_side_correct(t, l, (float)t->f[l], (float)t->g[l], promise);
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD9_CURVED_SIDE_F
+#define FOOTPOINT_QUAD9_CURVED_SIDE_F
+/* The terms of a face, one by one. */
+typedef union {
+    footpoint_detail_f_quad9_terms of;
+    float number[sizeof(footpoint_detail_f_quad9_terms) / sizeof(float)];
+} footpoint_detail_f_quad9_side_rounded;
+
+/* Rounds terms in the unit of length. Sets `range` if the unit is out of range. */
+FOOTPOINT_APART void footpoint_detail_f_quad9_side_round(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    enum { TERMS = sizeof t->narrow / sizeof *t->narrow[0] };
+    int l, k;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+        float length = 0.0f;
+        union {
+            unsigned int bits;
+            float number;
+        } per;
+        FOOTPOINT_WHOLE
+        for (k = 0; k < 6; k++)
+            length += fabsf((float)t->term[k / 3][k % 3][l]);
+        per.bits = 0x7f000000u - (footpoint_detail_f_bits(length) & 0x7f800000u);
+        FOOTPOINT_WHOLE
+        for (k = 0; k < TERMS; k++)
+            t->narrow[k / 3][k % 3][l] = (float)t->term[k / 3][k % 3][l] * per.number;
+        t->square[l] = (double)per.number * (double)per.number;
+        t->range[l] = footpoint_detail_f_bits(length - 1e-25f) | footpoint_detail_f_bits(1e30f - length) |
+                      footpoint_detail_f_fast();
+    }
+}
+
+FOOTPOINT_PART void footpoint_detail_f_quad9_side_load(const footpoint_detail_quad9_block *t, int l,
+                                                       footpoint_detail_f_quad9_side_rounded *face)
+{
+    enum { TERMS = sizeof t->narrow / sizeof *t->narrow[0] };
+    int k;
+    FOOTPOINT_WHOLE
+    for (k = 0; k < TERMS; k++)
+        face->number[k] = t->narrow[k / 3][k % 3][l];
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad9_side_begin(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+        footpoint_detail_f_quad9_side_rounded face;
+        footpoint_detail_f_quad9_side_load(t, l, &face);
+        footpoint_detail_f_quad9_start(&face.of, &t->p[l], &t->q[l]);
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad9_side_newton(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+        footpoint_detail_f_quad9_side_rounded face;
+        float p = t->p[l], q = t->q[l];
+        footpoint_detail_f_quad9_side_load(t, l, &face);
+        footpoint_detail_f_quad9_bare(&face.of, &p, &q);
+        t->p[l] = p;
+        t->q[l] = q;
+    }
+}
+
+/* Takes a Newton step from (p,q), and computes there the values that prove corrections.
+ *
+ * F = (r_xi . D, r_eta . D) has the Jacobian -H. T(y) = y + A F(y), A being H^-1 as computed at (p,q), has the
+ * derivative 1 - A H(y). Let `all` be the sum of the lengths of all steps since (p,q), in maximum norms: of Newton's
+ * step, at most 1/25, and of one or two corrections A F, at most 2/25 each. In a ball of 5/4 `all` about (p,q),
+ * within 1/4, that derivative is at most h = most + |A| L 5/4 all: `most` bounds |1 - A H(p,q)|, L is a Lipschitz
+ * constant of H within 1/4. If h <= 1/5, then T contracts in the ball of 5/4 of the last correction about the point
+ * from which it leads: a root lies there, within 5/4 h times that correction of the answer. H is positive definite at
+ * the root: A is, and so is every matrix on the way from its inverse to H.
+ *
+ * L: rows of the derivatives of H add up to at most l_i = r_i a + 2 (r_1 + r_2) a_i + away third[i], as in
+ * footpoint_detail_f_quad9_step() in double: r_i bounds |r_i|, a_i |r_i1| + |r_i2|, a = a_1 + a_2, `away` |D|, all
+ * within 1/4.
+ *
+ * Rounding: terms are rounded once to single precision, so in units u of it errors are not larger than those that
+ * footpoint_detail_f_quad9_step() counts in units of double: of tangents 10 u grown, of second derivatives 18 u grown,
+ * of D 18 u far, where `grown` is the bound of footpoint_detail_f_quad9_growth(), here within 13/100, and far = |D| +
+ * grown. Sums of absolute values, off by up to the root of 3 times that, get 4e-6f grown and 4e-6f far, so that all
+ * bounds hold for the true vectors.
+ *
+ * `most`: entries of H are off by (10 u grown) (|r_i| + |r_j|) + 18 u grown |D| + 18 u far |r_ij| and, by products
+ * and sums, 4 u (|r_i| |r_j| + |r_ij| |D|); a row of H adds up to 2 r_i grown + a_i |D|, of which A's entries and its
+ * divisor add 8 u. In all a row is off by 12 u (grown (4 r_i + r_1 + r_2 + 3 |D|) + 3 a_i far).
+ *
+ * `off`: in double F_i is off by 20 spread size + 15 |D| units of |r_i| and by 10 grown units of |D|. Products of A
+ * and F add 3 units of single precision of the sum of their absolute values, where 5 are counted. The new (p,q) is
+ * rounded, which adds 2e-6f to the step, as |p| and |q| are below 30. Numbers lost to zero are below 1e-37f, and `size`
+ * is at least 1 / 2. A step turns the normal u x v by at most (r_1 a_2 + r_2 a_1) step, which is less than a third of
+ * its length each time. */
+FOOTPOINT_APART void footpoint_detail_f_quad9_side_prove(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    const float unit = 6e-8f, ball = 0.25f;
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+        const float p = t->p[l], q = t->q[l], x = fabsf(p) + 0.13f, y = fabsf(q) + 0.13f;
+        footpoint_detail_f_quad9_side_rounded face;
+        footpoint_detail_f_local r;
+        footpoint_detail_f_newton n;
+        float third[2], size, mixed, uv, grown, tiny, d, far, away, a1, a2, a, r1, r2, both, row,
+            column;
+        float place, least, square, step;
+        footpoint_detail_f_quad9_side_load(t, l, &face);
+        size = footpoint_detail_f_root_bound(footpoint_detail_f_quad9_square(&face.of));
+        footpoint_detail_f_quad9_local(&face.of, p, q, &r);
+        footpoint_detail_f_newton_of(&r, &n);
+        footpoint_detail_f_quad9_third(&face.of, x, y, third);
+        mixed = fabsf(n.r12);
+        grown = footpoint_detail_f_quad9_growth(x, y) * size;
+        tiny = 4e-6f * grown;
+        uv = footpoint_detail_f_sum(r.uv) + tiny;
+        a1 = footpoint_detail_f_sum(r.uu) + uv + ball * third[0];
+        a2 = footpoint_detail_f_sum(r.vv) + uv + ball * third[1];
+        a = a1 + a2;
+        r1 = footpoint_detail_f_sum(r.u) + tiny + ball * a1;
+        r2 = footpoint_detail_f_sum(r.v) + tiny + ball * a2;
+        both = r1 + r2;
+        d = footpoint_detail_f_sum(r.d);
+        far = d + grown;
+        d += 4e-6f * far;
+        away = d + ball * both;
+        row = r1 * a + 2.0f * both * a1 + away * third[0];
+        column = r2 * a + 2.0f * both * a2 + away * third[1];
+        t->turn[l] = 1.27f * n.per *
+                     footpoint_detail_f_quad9_side_greater(n.r22 * row + mixed * column,
+                                                           mixed * row + n.r11 * column);
+        place = both + 3.0f * d;
+        row = grown * (4.0f * r1 + place) + 3.0f * (a1 * far);
+        column = grown * (4.0f * r2 + place) + 3.0f * (a2 * far);
+        t->most[l] = 12.2f * unit * n.per *
+                     footpoint_detail_f_quad9_side_greater(n.r22 * row + mixed * column,
+                                                           mixed * row + n.r11 * column);
+        place = 20.0f * footpoint_detail_f_quad9_spread(x, y) * size + 15.0f * away;
+        row = place * r1 + 10.0f * (grown * away);
+        column = place * r2 + 10.0f * (grown * away);
+        t->off[l] = 1.13e-16f * n.per *
+                    footpoint_detail_f_quad9_side_greater(n.r22 * row + mixed * column,
+                                                          mixed * row + n.r11 * column);
+        t->a11[l] = n.r22 * n.per;
+        t->a12[l] = -(n.r12 * n.per);
+        t->a22[l] = n.r11 * n.per;
+        step = 1.01f * footpoint_detail_f_quad9_side_greater(fabsf(n.s), fabsf(n.t)) + 2e-6f;
+        t->most[l] += t->turn[l] * step;
+        t->p[l] = p + n.s;
+        t->q[l] = q + n.t;
+        t->bend[l] = r1 * a2 + r2 * a1;
+        uv = footpoint_detail_f_dot(r.u, r.v);
+        square = footpoint_detail_f_dot(r.u, r.u) * footpoint_detail_f_dot(r.v, r.v) - uv * uv;
+        t->flat[l] = 0.3f * footpoint_detail_f_root_bound(square);
+        least = 1e-3f * (n.r11 * n.r22);
+        t->doubt[l] = footpoint_detail_f_bits(n.det - least) | footpoint_detail_f_bits(square - least) |
+                      footpoint_detail_f_bits(n.r11) | footpoint_detail_f_bits(1e6f - d) |
+                      footpoint_detail_f_bits(1e2f - size) | footpoint_detail_f_bits(0.04f - step) |
+                      footpoint_detail_f_bits(t->flat[l] - t->bend[l] * step) |
+                      footpoint_detail_f_bits(30.0f - footpoint_detail_f_quad9_side_greater(x, y)) |
+                      t->range[l];
+    }
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD9_CURVED_PASS
+#define FOOTPOINT_QUAD9_CURVED_PASS
+/* Takes as many steps as the promise needs, or `more` from their end, and proves the last. Gaps precede the last
+ * correction, which changes them by its square. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_steps(footpoint_detail_quad9_block *t, double promise, int more)
+{
+    if (!more) {
+        footpoint_detail_f_quad9_side_round(t);
+        footpoint_detail_f_quad9_side_begin(t);
+    }
+    footpoint_detail_f_quad9_side_newton(t);
+    if (more || promise < 0.99e-2)
+        footpoint_detail_f_quad9_side_newton(t);
+    footpoint_detail_f_quad9_side_prove(t);
+    footpoint_detail_quad9_side_settle(t);
+    if (more || promise < 0.99e-7) {
+        footpoint_detail_quad9_side_slopes(t);
+        footpoint_detail_f_quad9_side_corrections(t, (float)promise);
+    }
+    footpoint_detail_quad9_side_slopes_and_gaps(t);
+    footpoint_detail_f_quad9_side_corrections(t, (float)promise);
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD9_SIDE_RUN
+#define FOOTPOINT_QUAD9_SIDE_RUN
+/* Copies columns into a block that is not full, and repeats the last pair to fill it. */
+FOOTPOINT_COLD void footpoint_detail_quad9_side_fill(footpoint_detail_quad9_block *t, const double **x, int count)
+{
+    int k, l;
+    for (k = 0; k < 30; k++) {
+        for (l = 0; l < footpoint_detail_quad9_side; l++)
+            t->x[k][l] = x[k][l < count ? l : count - 1];
+        x[k] = t->x[k];
+    }
+}
+
+/* Stores answers. Returns an upper bound on the number of unproved answers. */
+FOOTPOINT_PART int footpoint_detail_quad9_side_store(const footpoint_detail_quad9_block *t, int count,
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    unsigned long long infinite = 0;
+    unsigned int unproved = 0;
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < count; l++) {
+        xi[l] = t->xi[l];
+        eta[l] = t->eta[l];
+        gap[l] = t->gap[l];
+        infinite |= footpoint_detail_infinite(t->gap[l]);
+    }
+    FOOTPOINT_EACH
+    for (l = 0; l < count; l++) {
+        status[l] = FOOTPOINT_OK;
+        unproved += (t->doubt[l] | t->wide[l]) >> 31;
+    }
+    return (int)unproved + (int)(infinite >> 63);
+}
+
+/* Returns 0 if an answer is proved. */
+FOOTPOINT_PART int footpoint_detail_quad9_side_fails(const footpoint_detail_quad9_block *t, int l)
+{
+    return (t->doubt[l] | t->wide[l]) >> 31 || footpoint_detail_infinite(t->gap[l]) >> 63;
+}
+
+/* Takes more steps. Stores answers of `failed` pairs that these prove, which then no longer count as failed. */
+FOOTPOINT_COLD void footpoint_detail_quad9_side_again(footpoint_detail_quad9_block *t, double promise, int *failed,
+                                                      int count, double *xi, double *eta,
+                                                      double *gap)
+{
+    int l;
+    footpoint_detail_quad9_side_steps(t, promise, 1);
+    for (l = 0; l < count; l++)
+        if (failed[l] && !footpoint_detail_quad9_side_fails(t, l)) {
+            xi[l] = t->xi[l];
+            eta[l] = t->eta[l];
+            gap[l] = t->gap[l];
+            failed[l] = 0;
+        }
+}
+
+/* Searches `failed` pairs one by one. */
+FOOTPOINT_COLD void footpoint_detail_quad9_side_mend(footpoint_detail_search *search, int nodes,
+                                                     const int *failed, const double *const *x,
+                                                     int count, double promise, double *xi,
+                                                     double *eta, double *gap, int *status)
+{
+    int i;
+    for (i = 0; i < count; i++)
+        if (failed[i]) {
+            const double p[10][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]},
+            {x[27][i], x[28][i], x[29][i]}};
+            const double *const row[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
+            double u, v, g;
+            if (search(row, 2, 0.0, &u, &v, &g) >> 63)
+                footpoint_detail_quad9_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
+                                            &status[i]);
+            else {
+                xi[i] = u;
+                eta[i] = v;
+                gap[i] = g;
+                status[i] = FOOTPOINT_OK;
+            }
+        }
+}
+
+/* Repairs unproved answers. If many failed, it first takes more steps, unless rounding forbids most proofs. */
+FOOTPOINT_COLD void footpoint_detail_quad9_side_repair(footpoint_detail_search *search, int nodes,
+                                                       footpoint_detail_quad9_block *t, int unproved,
+                                                       const double *const *x, int count,
+                                                       double promise, double *xi, double *eta,
+                                                       double *gap, int *status)
+{
+    int failed[footpoint_detail_quad9_side], l;
+    for (l = 0; l < count; l++)
+        failed[l] = unproved > count || footpoint_detail_quad9_side_fails(t, l);
+    if (unproved > 3 && unproved <= count && promise > 0.99e-9)
+        footpoint_detail_quad9_side_again(t, promise, failed, count, xi, eta, gap);
+    footpoint_detail_quad9_side_mend(search, nodes, failed, x, count, promise, xi, eta, gap, status);
+}
+
+/* Searches n pairs. A few are searched one by one, which is faster. */
+FOOTPOINT_APART void footpoint_detail_quad9_side_run(footpoint_detail_search *search, int nodes,
+                                                     size_t n, const double *const *x,
+                                                     double promise, double *xi, double *eta,
+                                                     double *gap, int *status)
+{
+    enum { FEW = 8 };
+    const double *column[30];
+    footpoint_detail_quad9_block t;
+    size_t i;
+    int k;
+    for (i = 0; i < n; i += footpoint_detail_quad9_side) {
+        const int count = n - i < footpoint_detail_quad9_side ? (int)(n - i) : footpoint_detail_quad9_side;
+        double *const u = xi + i, *const v = eta + i, *const g = gap + i;
+        int unproved = footpoint_detail_quad9_side + 1; /* none has been searched */
+        for (k = 0; k < 30; k++)
+            column[k] = x[k] + i;
+        if (count >= FEW) {
+            if (count < footpoint_detail_quad9_side)
+                footpoint_detail_quad9_side_fill(&t, column, count);
+            footpoint_detail_quad9_side_narrow(column, &t);
+            footpoint_detail_quad9_side_steps(&t, promise, 0);
+            unproved = count == footpoint_detail_quad9_side
+                           ? footpoint_detail_quad9_side_store(&t, footpoint_detail_quad9_side, u, v, g, status + i)
+                           : footpoint_detail_quad9_side_store(&t, count, u, v, g, status + i);
+        }
+        if (unproved)
+            footpoint_detail_quad9_side_repair(search, nodes, &t, unproved, column, count, promise,
+                                               u, v, g, status + i);
+    }
+}
+
+FOOTPOINT_PART void footpoint_detail_quad9_checked_n(footpoint_detail_search *search, size_t n,
+                                                     const double *const *x, int nodes,
+                                                     double promise, double *xi, double *eta,
+                                                     double *gap, int *status)
+{
+    footpoint_detail_quad9_side_run(search, nodes, n, x, promise, xi, eta, gap, status);
 }
 #endif
 
@@ -2219,7 +3052,7 @@ FOOTPOINT_COLD int footpoint_detail_quad9_split(const footpoint_detail_quad9_ter
         least = footpoint_detail_quad9_least_of(&c, h);
         start[0] = middle[0];
         start[1] = middle[1];
-        if (least > most) {
+        if (least > most + z->off_dd) { /* as `most` is off by that */
             top--;
             continue;
         }
@@ -4474,14 +5307,10 @@ FOOTPOINT_PART double footpoint_detail_manhattan(const double a[3])
     return fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
 }
 
-/* Returns the status of a proved point on the face: proofs do not hold if compilers may reorder sums. */
+/* Returns the status of a proved point on the face: nothing is proved if the compiler may change results. */
 FOOTPOINT_PART int footpoint_detail_met(void)
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-    return FOOTPOINT_UNPROVED;
-#else
-    return FOOTPOINT_OK;
-#endif
+    return FOOTPOINT_LOOSE ? FOOTPOINT_UNPROVED : FOOTPOINT_OK;
 }
 
 /* Scales the direction to a length of about 1. Returns FOOTPOINT_ERR_DEGENERATE if it has no length. */
@@ -5206,5 +6035,9 @@ FOOTPOINT_LOOP void footpoint_quad9_along_n(size_t n, const double *const x[30],
             eta[i] = loc[1];
         }
 }
+
+#if FOOTPOINT_ORDERED
+#pragma float_control(pop)
+#endif
 
 #endif

@@ -1,5 +1,5 @@
 /* The end of a header, which returns to the caller's floating-point options. */
 
-#if FOOTPOINT_PRECISE
+#if FOOTPOINT_ORDERED
 #pragma float_control(pop)
 #endif

@@ -78,23 +78,23 @@
 #define FOOTPOINT_LOOSE 0
 #endif
 #endif
-#ifndef FOOTPOINT_PRECISE /* 1 if a pragma switches off all parts of -ffast-math, of which clang announces few; clang 14
+#ifndef FOOTPOINT_ORDERED /* 1 if a pragma switches off all parts of -ffast-math, of which clang announces few; clang 14
                            * keeps approximate roots of floats, under -ffast-math -fhonor-nans for instance */
 #if !defined(__clang__) || defined(FOOTPOINT_DEVICE) || __clang_major__ < 12
-#define FOOTPOINT_PRECISE 0
+#define FOOTPOINT_ORDERED 0
 #elif defined(__x86_64__) || defined(__i386__) || defined(__powerpc64__)
-#define FOOTPOINT_PRECISE 1
+#define FOOTPOINT_ORDERED 1
 #elif defined(__aarch64__) && __clang_major__ >= 17
-#define FOOTPOINT_PRECISE 1
+#define FOOTPOINT_ORDERED 1
 #else
-#define FOOTPOINT_PRECISE 0
+#define FOOTPOINT_ORDERED 0
 #endif
 #endif
 #if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
 #include <stddef.h>
 #endif
-#if FOOTPOINT_PRECISE
+#if FOOTPOINT_ORDERED
 #pragma float_control(push)
 #pragma float_control(precise, on)
 #pragma STDC FP_CONTRACT DEFAULT /* as the command line says */
