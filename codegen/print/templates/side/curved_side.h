@@ -41,14 +41,33 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_load(const BLOCK *t, int l,
         face->number[k] = t->narrow[k / 3][k % 3][l];
 }
 
+/* Returns a coordinate, or 31 with its sign, too far for a proof, if it is larger: steps that run away do not overflow.
+ * Compares bits, so that NaN raises nothing. */
+FOOTPOINT_PART REAL footpoint_detail_KIND_side_kept(REAL p)
+{
+    union {
+        REAL_BITS bits;
+        REAL number;
+    } at;
+    REAL_BITS size;
+    at.number = p;
+    size = at.bits & 0x7fffffffu;
+    at.bits ^= size;
+    at.bits |= size < 0x41f80000u ? size : 0x41f80000u;
+    return at.number;
+}
+
 FOOTPOINT_APART void footpoint_detail_KIND_side_begin(BLOCK *FOOTPOINT_RESTRICT t)
 {
     int l;
     FOOTPOINT_EACH
     for (l = 0; l < SIDE; l++) {
         footpoint_detail_KIND_side_rounded face;
+        REAL p, q;
         footpoint_detail_KIND_side_load(t, l, &face);
-        footpoint_detail_KIND_start(&face.of, &t->p[l], &t->q[l]);
+        footpoint_detail_KIND_start(&face.of, &p, &q);
+        t->p[l] = footpoint_detail_KIND_side_kept(p);
+        t->q[l] = footpoint_detail_KIND_side_kept(q);
     }
 }
 
@@ -61,8 +80,8 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT
         REAL p = t->p[l], q = t->q[l];
         footpoint_detail_KIND_side_load(t, l, &face);
         footpoint_detail_KIND_bare(&face.of, &p, &q);
-        t->p[l] = p;
-        t->q[l] = q;
+        t->p[l] = footpoint_detail_KIND_side_kept(p);
+        t->q[l] = footpoint_detail_KIND_side_kept(q);
     }
 }
 
@@ -149,8 +168,8 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_prove(BLOCK *FOOTPOINT_RESTRICT 
         t->a22[l] = n.r11 * n.per;
         step = 1.01 * footpoint_detail_KIND_side_greater(fabs(n.s), fabs(n.t)) + 2e-6;
         t->most[l] += t->turn[l] * step;
-        t->p[l] = p + n.s;
-        t->q[l] = q + n.t;
+        t->p[l] = footpoint_detail_KIND_side_kept(p + n.s);
+        t->q[l] = footpoint_detail_KIND_side_kept(q + n.t);
         t->bend[l] = r1 * a2 + r2 * a1;
         uv = footpoint_detail_dot(r.u, r.v);
         square = footpoint_detail_dot(r.u, r.u) * footpoint_detail_dot(r.v, r.v) - uv * uv;
