@@ -111,9 +111,12 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT
  *
  * `off`: in double F_i is off by 20 spread size + 15 |D| units of |r_i| and by 10 grown units of |D|. Products of A
  * and F add 3 units of single precision of the sum of their absolute values, where 5 are counted. The new (p,q) is
- * rounded, which adds 2e-6 to the step, as |p| and |q| are below 30. Numbers lost to zero are below 1e-37, and `size`
- * is at least 1 / 2. A step turns the normal u x v by at most (r_1 a_2 + r_2 a_1) step, which is less than a third of
- * its length each time. */
+ * rounded, which adds 2e-6 to the step, as |p| and |q| are below 30. Numbers lost to zero are below 1e-37, terms below
+ * 1e-12, and `size` is at least 1 / 4: `off` has its small factor first, as 1e-16 / det may be lost.
+ *
+ * A step turns the normal u x v by at most (r_1 a_2 + r_2 a_1) step, rounding by less than a quarter of tiny (r_1 +
+ * r_2). `flat` ensures that each of three steps does so by less than a third of its length, whose square is off by
+ * 8 u |u|^2 |v|^2, less than a twentieth of 1e-5 |u|^2 |v|^2. So no tangents of an answer are parallel. */
 FOOTPOINT_APART void footpoint_detail_KIND_side_prove(BLOCK *FOOTPOINT_RESTRICT t)
 {
     const REAL unit = REAL_UNIT, ball = 0.25;
@@ -126,7 +129,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_prove(BLOCK *FOOTPOINT_RESTRICT 
         footpoint_detail_newton n;
         REAL third[2], size, mixed, uv, grown, tiny, d, far, away, a1, a2, a, r1, r2, both, row,
             column;
-        REAL place, least, square, step;
+        REAL place, least, most, square, step;
         footpoint_detail_KIND_side_load(t, l, &face);
         size = footpoint_detail_root_bound(footpoint_detail_KIND_square(&face.of));
         footpoint_detail_KIND_local(&face.of, p, q, &r);
@@ -160,9 +163,10 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_prove(BLOCK *FOOTPOINT_RESTRICT 
         place = 20.0 * footpoint_detail_KIND_spread(x, y) * size + 15.0 * away;
         row = place * r1 + 10.0 * (grown * away);
         column = place * r2 + 10.0 * (grown * away);
-        t->off[l] = 1.13e-16 * n.per *
+        t->off[l] = 1.13e-16 *
                     footpoint_detail_KIND_side_greater(n.r22 * row + mixed * column,
-                                                       mixed * row + n.r11 * column);
+                                                       mixed * row + n.r11 * column) *
+                    n.per;
         t->a11[l] = n.r22 * n.per;
         t->a12[l] = -(n.r12 * n.per);
         t->a22[l] = n.r11 * n.per;
@@ -172,12 +176,14 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_prove(BLOCK *FOOTPOINT_RESTRICT 
         t->q[l] = footpoint_detail_KIND_side_kept(q + n.t);
         t->bend[l] = r1 * a2 + r2 * a1;
         uv = footpoint_detail_dot(r.u, r.v);
-        square = footpoint_detail_dot(r.u, r.u) * footpoint_detail_dot(r.v, r.v) - uv * uv;
-        t->flat[l] = 0.3 * footpoint_detail_root_bound(square);
+        most = footpoint_detail_dot(r.u, r.u) * footpoint_detail_dot(r.v, r.v);
+        square = most - uv * uv;
+        t->flat[l] = 0.3 * footpoint_detail_root_bound(square) - tiny * both;
         least = 1e-3 * (n.r11 * n.r22);
         t->doubt[l] = footpoint_detail_bits(n.det - least) | footpoint_detail_bits(square - least) |
-                      footpoint_detail_bits(n.r11) | footpoint_detail_bits(1e6 - d) |
-                      footpoint_detail_bits(1e2 - size) | footpoint_detail_bits(0.04 - step) |
+                      footpoint_detail_bits(square - 1e-5 * most) | footpoint_detail_bits(n.r11) |
+                      footpoint_detail_bits(1e6 - d) | footpoint_detail_bits(1e2 - size) |
+                      footpoint_detail_bits(0.04 - step) |
                       footpoint_detail_bits(t->flat[l] - t->bend[l] * step) |
                       footpoint_detail_bits(30.0 - footpoint_detail_KIND_side_greater(x, y)) |
                       t->range[l];
