@@ -151,11 +151,46 @@ static void test_arrays(void **state)
     }
 }
 
+/* A face whose tangents at the foot point are parallel, on the inner side of its curvature; then the slave node. */
+static const double parallel[7][3] = {{-0x1.3292b328cf713p-3, 0x1.501f586670352p-2, 0x1.abf45743bee34p-4},
+                                      {-0x1.89b61ebd35d9ep-5, -0x1.5b6d8a13f87cap-1, 0x1.0c7e495b845f3p-2},
+                                      {0x1.4892ebb43b4f3p-4, -0x1.48f8975a459dbp-1, -0x1.7d57a29579664p-5},
+                                      {-0x1.bd12f18bd74f6p-5, -0x1.516b7066113fep-3, 0x1.97a6c58907e2ap-3},
+                                      {0x1.347e50ff08ffcp-5, -0x1.4f18366a1e786p-1, 0x1.c9bd9f80bbbf3p-5},
+                                      {0x1.3a3c632321158p-7, -0x1.2ca1a3f87dbeep-3, 0x1.7217117180ff1p-5},
+                                      {-0x1.2416c06d0cbc7p+1, -0x1.0ebaf9c266874p-1, -0x1.0ea773ae11d43p+0}};
+
+/* Arrays, too, say that there is no normal. */
+static void test_parallel(void **state)
+{
+    enum { PAIRS = 32, ROWS = 21 };
+    double column[ROWS][PAIRS], xi[PAIRS], eta[PAIRS], gap[PAIRS], loc[2] = {0, 0};
+    const double *x[ROWS], *y[6];
+    int status[PAIRS];
+    (void)state;
+    for (int row = 0; row < ROWS; row++) {
+        for (int i = 0; i < PAIRS; i++)
+            column[row][i] = parallel[row / 3][row % 3];
+        x[row] = column[row];
+    }
+    for (int k = 0; k < 6; k++)
+        y[k] = parallel[k];
+    for (size_t j = 0; j < HEADER_FUNCTIONS; j++) {
+        const struct header_function *const f = &header_functions[j];
+        if (f->promise == 0 || strcmp(f->kind, "tri6") != 0)
+            continue;
+        const int alone = f->locate(y, parallel[6], loc, gap);
+        f->checked_n(PAIRS, x, xi, eta, gap, status);
+        for (int i = 0; i < PAIRS; i++)
+            assert_int_equal(status[i], alone);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ordinary), cmocka_unit_test(test_strong), cmocka_unit_test(test_sliver),
-        cmocka_unit_test(test_wild),     cmocka_unit_test(test_arrays),
+        cmocka_unit_test(test_wild),     cmocka_unit_test(test_arrays), cmocka_unit_test(test_parallel),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
