@@ -13,7 +13,7 @@ enum {
 };
 
 /* Holds values of pairs. `term` has the vectors of faces; `narrow` has them rounded, in a unit of length, a power of
- * 2, in which the absolute values of the coordinates of e and f add up to 1 to 2; `square` changes products of
+ * 2, in which the absolute values of the coordinates of e and f add up to 1 to 4; `square` changes products of
  * lengths to that unit. Steps in single precision end at (p,q), from the middle; the answer is (xi,eta). Slopes f and
  * g, and a11 to `flat`, prove it: see footpoint_detail_f_KIND_side_prove. A pair is not proved if the highest bit of
  * `doubt` or `wide` is set. */

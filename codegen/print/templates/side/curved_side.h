@@ -6,7 +6,7 @@ typedef union {
     REAL number[sizeof(footpoint_detail_KIND_terms) / sizeof(REAL)];
 } footpoint_detail_KIND_side_rounded;
 
-/* Rounds terms in the unit of length. Sets `range` if the unit is out of range. */
+/* Rounds terms in the unit of length, 0 if that is NaN. Sets `range` if the unit is out of range. */
 FOOTPOINT_APART void footpoint_detail_KIND_side_round(BLOCK *FOOTPOINT_RESTRICT t)
 {
     enum { TERMS = sizeof t->narrow / sizeof *t->narrow[0] };
@@ -21,7 +21,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_round(BLOCK *FOOTPOINT_RESTRICT 
         FOOTPOINT_WHOLE
         for (k = 0; k < 6; k++)
             length += fabs((REAL)t->term[k / 3][k % 3][l]);
-        per.bits = 0x7f000000u - (footpoint_detail_bits(length) & 0x7f800000u);
+        per.bits = 0x7f000000u - (footpoint_detail_bits(length) & 0x7f000000u);
         FOOTPOINT_WHOLE
         for (k = 0; k < TERMS; k++)
             t->narrow[k / 3][k % 3][l] = (REAL)t->term[k / 3][k % 3][l] * per.number;
