@@ -3060,7 +3060,7 @@ FOOTPOINT_PART int footpoint_detail_quad4_proved_closest_of(footpoint_detail_nea
  * rounding errors included, which no order of summation changes. FOOTPOINT_UNPROVED: the steps found no proof, and loc
  * and gap are where they ended; under -ffast-math nothing is proved. A minimum on the whole surface need not be the
  * nearest point of the segment: see NAME_closest. NAME_at and NAME_n prove nothing. Answers of NAME_checked_n and
- * NAME_over_n may differ from those of NAME within NAME_PROMISE. */
+ * NAME_over_n may differ from those of NAME within NAME_PROMISE, or prove another minimum. */
 
 /* NAME_from:  does the same as NAME, from the last answer: loc must be set to {xi, eta} of the last step or of a neighbour's
  *           foot point. It is fastest if the foot point has moved by less than 0.1. If steps from loc prove nothing, or

@@ -1273,7 +1273,7 @@ FOOTPOINT_PART int footpoint_detail_tri3_proved_closest_of(footpoint_detail_near
  * rounding errors included, which no order of summation changes. FOOTPOINT_UNPROVED: the steps found no proof, and loc
  * and gap are where they ended; under -ffast-math nothing is proved. A minimum on the whole surface need not be the
  * nearest point of the segment: see NAME_closest. NAME_at and NAME_n prove nothing. Answers of NAME_checked_n and
- * NAME_over_n may differ from those of NAME within NAME_PROMISE. */
+ * NAME_over_n may differ from those of NAME within NAME_PROMISE, or prove another minimum. */
 
 /* NAME_closest:  finds the closest point r of the segment, its edges and corners included: loc = {xi, eta} there; dist,
  *           the distance |xS - r|, mesh length, < 0 if xS lies behind the segment; and region, the part that contains

@@ -68,7 +68,7 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_settle(BLOCK *FOOTPOINT_RESTRICT
 }
 
 /* Computes the slopes f = r_xi . D and g = r_eta . D at (xi,eta), with D = xS - r, in the unit of `narrow`, and the
- * gap, if they are asked for. */
+ * gap, if they are asked for; of pairs in doubt, which may have run away, in the middle, where nothing overflows. */
 FOOTPOINT_PART void footpoint_detail_KIND_side_place(BLOCK *FOOTPOINT_RESTRICT t, int slopes,
                                                      int gap)
 {
@@ -77,12 +77,14 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_place(BLOCK *FOOTPOINT_RESTRICT t
     FOOTPOINT_EACH
     for (l = 0; l < SIDE; l++) {
         footpoint_detail_KIND_side_terms face;
+        const double kept = 1.0 - (double)(int)(t->doubt[l] >> 31);
         footpoint_detail_local r;
         double n[3];
         FOOTPOINT_WHOLE
         for (k = 0; k < 3 * footpoint_detail_KIND_side_vectors; k++)
             face.number[k] = t->term[k / 3][k % 3][l];
-        footpoint_detail_KIND_local(&face.of, t->xi[l] - middle, t->eta[l] - middle, &r);
+        footpoint_detail_KIND_local(&face.of, kept * (t->xi[l] - middle),
+                                    kept * (t->eta[l] - middle), &r);
         if (slopes) {
             t->f[l] = footpoint_detail_dot(r.u, r.d) * t->square[l];
             t->g[l] = footpoint_detail_dot(r.v, r.d) * t->square[l];
