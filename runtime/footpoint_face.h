@@ -125,7 +125,8 @@ int footpoint_face_closest(enum footpoint_face face, const double *x, double loc
  *          overflows, or on quad4: xS is farther away than 1e12 edges) */
 int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);
 
-/** Calls footpoint_face_robust for n pairs of a slave node and a face, with the same bits, using AVX-512 or AVX2 if available.
+/** Does footpoint_face_robust for n pairs of a slave node and a face, using AVX-512 or AVX2 if available. Foot points of tri6,
+ *  quad8 and quad9 come from footpoint_face_locate_pairs, so xi and eta may differ within its promise.
  *  @param[in]  xyz, seg, slave  as in footpoint_face_locate_pairs
  *  @param[out] loc       n x 2: xi, eta of each pair; untouched if the status is < FOOTPOINT_OK
  *  @param[out] distance  n; untouched likewise
