@@ -13,10 +13,11 @@ printf '"%s"\n' '*NODE' '*ELEMENT, TYPE=C3D8, ELSET=' '*ELEMENT, TYPE=S4' '*NSET
     ', INSTANCE=' '*SURFACE, NAME=' ', TYPE=NODE' ', COMBINE=UNION' ', COMBINE=DIFFERENCE' '*CONTACT PAIR' '*TIE' \
     '*CONTACT INCLUSIONS' '*PART, NAME=' '*END PART' '*INSTANCE, NAME=' ', PART=' '*END INSTANCE' '*ASSEMBLY, NAME=' \
     '*END ASSEMBLY' '*INCLUDE, INPUT=' ', S1' ', SPOS' ', E1' '\x0a' '\x0d' ', ' '**' > "$work/words"
-mkdir "$work/corpus"
+mkdir "$work/corpus" "$work/beside"
 cp tests/meshes/decks/*.inp tests/meshes/*[0-9].inp tests/meshes/wedges.inp "$work/corpus"
-"$work/fuzzer" -dict="$work/words" -max_len=4000 -timeout=20 -rss_limit_mb=2048 -max_total_time="${FUZZ_SECONDS:-60}" -runs="${FUZZ_RUNS:--1}" -seed=1 \
-    -print_final_stats=1 -artifact_prefix="$work/" "$work/corpus" > "$work/log" 2>&1
+printf '*NODE, NSET=N\n1, 0, 0, 0\n' > "$work/beside/1"
+(cd "$work/beside" && "$work/fuzzer" -dict="$work/words" -max_len=4000 -timeout=20 -rss_limit_mb=2048 -max_total_time="${FUZZ_SECONDS:-60}" -runs="${FUZZ_RUNS:--1}" -seed=1 \
+    -print_final_stats=1 -artifact_prefix="$work/" "$work/corpus") > "$work/log" 2>&1
 status=$?
 [ $status -eq 0 ] || { grep -v '^#' "$work/log" | tail -40; cat "$work"/crash-* "$work"/timeout-* 2> /dev/null | base64; } | sed 's/^/# /'
 sed -n 's/^stat::number_of_executed_units: */# runs: /p' "$work/log"
