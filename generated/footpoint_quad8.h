@@ -1421,7 +1421,7 @@ enum {
 };
 
 /* Holds values of pairs. `term` has the vectors of faces; `narrow` has them rounded, in a unit of length, a power of
- * 2, in which the absolute values of the coordinates of e and f add up to 1 to 2; `square` changes products of
+ * 2, in which the absolute values of the coordinates of e and f add up to 1 to 4; `square` changes products of
  * lengths to that unit. Steps in single precision end at (p,q), from the middle; the answer is (xi,eta). Slopes f and
  * g, and a11 to `flat`, prove it: see footpoint_detail_f_quad8_side_prove. A pair is not proved if the highest bit of
  * `doubt` or `wide` is set. */
@@ -1476,7 +1476,7 @@ FOOTPOINT_APART void footpoint_detail_quad8_side_settle(footpoint_detail_quad8_b
 }
 
 /* Computes the slopes f = r_xi . D and g = r_eta . D at (xi,eta), with D = xS - r, in the unit of `narrow`, and the
- * gap, if they are asked for. */
+ * gap, if they are asked for; of pairs in doubt, which may have run away, in the middle, where nothing overflows. */
 FOOTPOINT_PART void footpoint_detail_quad8_side_place(footpoint_detail_quad8_block *FOOTPOINT_RESTRICT t, int slopes,
                                                       int gap)
 {
@@ -1485,12 +1485,14 @@ FOOTPOINT_PART void footpoint_detail_quad8_side_place(footpoint_detail_quad8_blo
     FOOTPOINT_EACH
     for (l = 0; l < footpoint_detail_quad8_side; l++) {
         footpoint_detail_quad8_side_terms face;
+        const double kept = 1.0 - (double)(int)(t->doubt[l] >> 31);
         footpoint_detail_local r;
         double n[3];
         FOOTPOINT_WHOLE
         for (k = 0; k < 3 * footpoint_detail_quad8_side_vectors; k++)
             face.number[k] = t->term[k / 3][k % 3][l];
-        footpoint_detail_quad8_local(&face.of, t->xi[l] - middle, t->eta[l] - middle, &r);
+        footpoint_detail_quad8_local(&face.of, kept * (t->xi[l] - middle),
+                                     kept * (t->eta[l] - middle), &r);
         if (slopes) {
             t->f[l] = footpoint_detail_dot(r.u, r.d) * t->square[l];
             t->g[l] = footpoint_detail_dot(r.v, r.d) * t->square[l];
@@ -1571,7 +1573,7 @@ typedef union {
     float number[sizeof(footpoint_detail_f_quad8_terms) / sizeof(float)];
 } footpoint_detail_f_quad8_side_rounded;
 
-/* Rounds terms in the unit of length. Sets `range` if the unit is out of range. */
+/* Rounds terms in the unit of length, 0 if that is NaN. Sets `range` if the unit is out of range. */
 FOOTPOINT_APART void footpoint_detail_f_quad8_side_round(footpoint_detail_quad8_block *FOOTPOINT_RESTRICT t)
 {
     enum { TERMS = sizeof t->narrow / sizeof *t->narrow[0] };
@@ -1586,7 +1588,7 @@ FOOTPOINT_APART void footpoint_detail_f_quad8_side_round(footpoint_detail_quad8_
         FOOTPOINT_WHOLE
         for (k = 0; k < 6; k++)
             length += fabsf((float)t->term[k / 3][k % 3][l]);
-        per.bits = 0x7f000000u - (footpoint_detail_f_bits(length) & 0x7f800000u);
+        per.bits = 0x7f000000u - (footpoint_detail_f_bits(length) & 0x7f000000u);
         FOOTPOINT_WHOLE
         for (k = 0; k < TERMS; k++)
             t->narrow[k / 3][k % 3][l] = (float)t->term[k / 3][k % 3][l] * per.number;
@@ -1606,14 +1608,33 @@ FOOTPOINT_PART void footpoint_detail_f_quad8_side_load(const footpoint_detail_qu
         face->number[k] = t->narrow[k / 3][k % 3][l];
 }
 
+/* Returns a coordinate, or 31 with its sign, too far for a proof, if it is larger: steps that run away do not overflow.
+ * Compares bits, so that NaN raises nothing. */
+FOOTPOINT_PART float footpoint_detail_f_quad8_side_kept(float p)
+{
+    union {
+        unsigned int bits;
+        float number;
+    } at;
+    unsigned int size;
+    at.number = p;
+    size = at.bits & 0x7fffffffu;
+    at.bits ^= size;
+    at.bits |= size < 0x41f80000u ? size : 0x41f80000u;
+    return at.number;
+}
+
 FOOTPOINT_APART void footpoint_detail_f_quad8_side_begin(footpoint_detail_quad8_block *FOOTPOINT_RESTRICT t)
 {
     int l;
     FOOTPOINT_EACH
     for (l = 0; l < footpoint_detail_quad8_side; l++) {
         footpoint_detail_f_quad8_side_rounded face;
+        float p, q;
         footpoint_detail_f_quad8_side_load(t, l, &face);
-        footpoint_detail_f_quad8_start(&face.of, &t->p[l], &t->q[l]);
+        footpoint_detail_f_quad8_start(&face.of, &p, &q);
+        t->p[l] = footpoint_detail_f_quad8_side_kept(p);
+        t->q[l] = footpoint_detail_f_quad8_side_kept(q);
     }
 }
 
@@ -1626,8 +1647,8 @@ FOOTPOINT_APART void footpoint_detail_f_quad8_side_newton(footpoint_detail_quad8
         float p = t->p[l], q = t->q[l];
         footpoint_detail_f_quad8_side_load(t, l, &face);
         footpoint_detail_f_quad8_bare(&face.of, &p, &q);
-        t->p[l] = p;
-        t->q[l] = q;
+        t->p[l] = footpoint_detail_f_quad8_side_kept(p);
+        t->q[l] = footpoint_detail_f_quad8_side_kept(q);
     }
 }
 
@@ -1657,9 +1678,12 @@ FOOTPOINT_APART void footpoint_detail_f_quad8_side_newton(footpoint_detail_quad8
  *
  * `off`: in double F_i is off by 20 spread size + 15 |D| units of |r_i| and by 10 grown units of |D|. Products of A
  * and F add 3 units of single precision of the sum of their absolute values, where 5 are counted. The new (p,q) is
- * rounded, which adds 2e-6f to the step, as |p| and |q| are below 30. Numbers lost to zero are below 1e-37f, and `size`
- * is at least 1 / 2. A step turns the normal u x v by at most (r_1 a_2 + r_2 a_1) step, which is less than a third of
- * its length each time. */
+ * rounded, which adds 2e-6f to the step, as |p| and |q| are below 30. Numbers lost to zero are below 1e-37f, terms below
+ * 1e-12f, and `size` is at least 1 / 4: `off` has its small factor first, as 1e-16f / det may be lost.
+ *
+ * A step turns the normal u x v by at most (r_1 a_2 + r_2 a_1) step, rounding by less than a quarter of tiny (r_1 +
+ * r_2). `flat` ensures that each of three steps does so by less than a third of its length, whose square is off by
+ * 8 u |u|^2 |v|^2, less than a twentieth of 1e-5f |u|^2 |v|^2. So no tangents of an answer are parallel. */
 FOOTPOINT_APART void footpoint_detail_f_quad8_side_prove(footpoint_detail_quad8_block *FOOTPOINT_RESTRICT t)
 {
     const float unit = 6e-8f, ball = 0.25f;
@@ -1672,7 +1696,7 @@ FOOTPOINT_APART void footpoint_detail_f_quad8_side_prove(footpoint_detail_quad8_
         footpoint_detail_f_newton n;
         float third[2], size, mixed, uv, grown, tiny, d, far, away, a1, a2, a, r1, r2, both, row,
             column;
-        float place, least, square, step;
+        float place, least, most, square, step;
         footpoint_detail_f_quad8_side_load(t, l, &face);
         size = footpoint_detail_f_root_bound(footpoint_detail_f_quad8_square(&face.of));
         footpoint_detail_f_quad8_local(&face.of, p, q, &r);
@@ -1706,24 +1730,27 @@ FOOTPOINT_APART void footpoint_detail_f_quad8_side_prove(footpoint_detail_quad8_
         place = 20.0f * footpoint_detail_f_quad8_spread(x, y) * size + 15.0f * away;
         row = place * r1 + 10.0f * (grown * away);
         column = place * r2 + 10.0f * (grown * away);
-        t->off[l] = 1.13e-16f * n.per *
+        t->off[l] = 1.13e-16f *
                     footpoint_detail_f_quad8_side_greater(n.r22 * row + mixed * column,
-                                                          mixed * row + n.r11 * column);
+                                                          mixed * row + n.r11 * column) *
+                    n.per;
         t->a11[l] = n.r22 * n.per;
         t->a12[l] = -(n.r12 * n.per);
         t->a22[l] = n.r11 * n.per;
         step = 1.01f * footpoint_detail_f_quad8_side_greater(fabsf(n.s), fabsf(n.t)) + 2e-6f;
         t->most[l] += t->turn[l] * step;
-        t->p[l] = p + n.s;
-        t->q[l] = q + n.t;
+        t->p[l] = footpoint_detail_f_quad8_side_kept(p + n.s);
+        t->q[l] = footpoint_detail_f_quad8_side_kept(q + n.t);
         t->bend[l] = r1 * a2 + r2 * a1;
         uv = footpoint_detail_f_dot(r.u, r.v);
-        square = footpoint_detail_f_dot(r.u, r.u) * footpoint_detail_f_dot(r.v, r.v) - uv * uv;
-        t->flat[l] = 0.3f * footpoint_detail_f_root_bound(square);
+        most = footpoint_detail_f_dot(r.u, r.u) * footpoint_detail_f_dot(r.v, r.v);
+        square = most - uv * uv;
+        t->flat[l] = 0.3f * footpoint_detail_f_root_bound(square) - tiny * both;
         least = 1e-3f * (n.r11 * n.r22);
         t->doubt[l] = footpoint_detail_f_bits(n.det - least) | footpoint_detail_f_bits(square - least) |
-                      footpoint_detail_f_bits(n.r11) | footpoint_detail_f_bits(1e6f - d) |
-                      footpoint_detail_f_bits(1e2f - size) | footpoint_detail_f_bits(0.04f - step) |
+                      footpoint_detail_f_bits(square - 1e-5f * most) | footpoint_detail_f_bits(n.r11) |
+                      footpoint_detail_f_bits(1e6f - d) | footpoint_detail_f_bits(1e2f - size) |
+                      footpoint_detail_f_bits(0.04f - step) |
                       footpoint_detail_f_bits(t->flat[l] - t->bend[l] * step) |
                       footpoint_detail_f_bits(30.0f - footpoint_detail_f_quad8_side_greater(x, y)) |
                       t->range[l];
