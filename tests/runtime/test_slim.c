@@ -436,7 +436,8 @@ static void slim_faces(void **state)
                t.status[FOOTPOINT_NOT_UNIQUE], t.status[FOOTPOINT_NO_AREA], t.status[FOOTPOINT_UNPROVED], t.wrong,
                t.slow, t.unknown, t.longer);
         assert_true(t.wrong == 0 && t.unknown <= t.all / 20);
-        assert_true(10000 * t.status[FOOTPOINT_UNPROVED] <= t.all && 1000 * t.slow <= t.all);
+        assert_true(10000 * t.status[FOOTPOINT_UNPROVED] <= t.all);
+        assert_true(t.slow <= 2 + t.all / 1000); /* 5 in 10,000 of tri6, so 2 of a share of 1,500 are likely */
         assert_true(200 * t.status[FOOTPOINT_NOT_UNIQUE] <= t.all);
         if (face == FOOTPOINT_TRI3)
             assert_true(t.status[FOOTPOINT_UNPROVED] == 0 && t.status[FOOTPOINT_NOT_UNIQUE] == 0 && t.longer < 1e-15);
