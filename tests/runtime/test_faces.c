@@ -235,11 +235,11 @@ static void robust_pairs_are_single_ones(void **state)
         for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
             size_t bad = 0;
             for (size_t i = 0; i < PAIRS; i++)
-                loc[2 * i] = distance[i] = region[i] = -99;
+                loc[2 * i] = loc[2 * i + 1] = distance[i] = region[i] = -99;
             const size_t failed = footpoint_face_robust_pairs(face, counts[c], m.xyz, m.nodes, m.seg, m.slave, loc,
                                                               distance, region, status);
             for (size_t i = 0; i < counts[c]; i++) {
-                double x[C], one[2] = {-99, loc[2 * i + 1]}, d = -99;
+                double x[C], one[2] = {-99, -99}, d = -99;
                 int where = -99, good = i != 3 && i != 40;
                 for (int k = 0; good && k <= nodes; k++)
                     memcpy(x + 3 * k, m.xyz + 3 * (k < nodes ? m.seg[(size_t)nodes * i + (size_t)k] : m.slave[i]),
