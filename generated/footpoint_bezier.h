@@ -4626,179 +4626,6 @@ FOOTPOINT_PART unsigned long long footpoint_bezier_exact_detail(const double xA[
         footpoint_detail_outside(t163) | footpoint_detail_outside(t238);
 }
 
-FOOTPOINT_PART unsigned int footpoint_bezier_exact_single_detail(const float xA[3], const float xB[3],
-                                                                 const float xC[3], const float xD[3],
-                                                                 const float nA[3], const float nB[3],
-                                                                 const float nC[3], const float nD[3],
-                                                                 const float xS[3], float zero, float *xi,
-                                                                 float *eta)
-{
-    const float t1 = nA[2] - nB[2], t2 = nA[1] - nB[1], t3 = xC[2] - xD[2], t4 = xA[2] - xB[2], t5 = xA[2] - xD[2];
-    const float t6 = xC[1] - xD[1], t7 = xA[1] - xB[1], t8 = xA[1] - xD[1], t9 = nC[2] - nD[2] + t1;
-    const float t10 = nC[1] - nD[1] + t2, t11 = nA[0] - nB[0], t12 = t3 + t4, t13 = t6 + t7, t14 = xC[0] - xD[0];
-    const float t15 = xA[0] - xB[0], t16 = xA[0] - xD[0], t17 = nC[0] - nD[0] + t11, t18 = xA[2] - xS[2];
-    const float t19 = xA[1] - xS[1], u1 = 0.5f * t12, t20 = t5 - u1, u2 = 0.5f * t13, t21 = t8 - u2, t22 = t14 + t15;
-    const float u3 = 0.5f * t9, t23 = nA[2] - nD[2] - u3, t24 = nA[2] - 0.5f * (t1 + t23), u4 = 0.5f * t10;
-    const float t25 = nA[1] - nD[1] - u4, t26 = nA[1] - 0.5f * (t2 + t25), t27 = xA[0] - xS[0], u5 = 0.5f * t22;
-    const float t28 = t16 - u5, u6 = 0.5f * t17, t29 = nA[0] - nD[0] - u6, t30 = nA[0] - 0.5f * (t11 + t29);
-    const float t31 = t20 * t23 + t21 * t25 + t28 * t29, t32 = t18 - 0.5f * (t4 + t20), t33 = t19 - 0.5f * (t7 + t21);
-    const float t34 = t4 - u1, t35 = t7 - u2, t36 = t27 - 0.5f * (t15 + t28), t37 = t15 - u5;
-    const float t38 = t32 * t24 + t33 * t26 + t36 * t30;
-    const float t39 = ((t1 - u3) * t34 + (t2 - u4) * t35 + (t11 - u6) * t37) * t38, t40 = t31 * t38;
-    const float t41 = t20 * t20 + t21 * t21 + t28 * t28 - t40;
-    const float t42 = t20 * t34 + t21 * t35 + t28 * t37 + 0.9352765f * (t12 * t24 + t13 * t26 + t22 * t30) * t38;
-    const float t43 = t34 * t34 + t35 * t35 + t37 * t37 - t39, t44 = t12 * t20 + t13 * t21 + t22 * t28;
-    const float t45 = t20 * t32 + t21 * t33 + t28 * t36, t46 = t34 * t32 + t35 * t33 + t37 * t36;
-    const float t47 = t12 * t34 + t13 * t35 + t22 * t37, t48 = nD[2] * t3 + nD[1] * t6 + nD[0] * t14;
-    const float t49 = 1.0f / (t41 * t43 - t42 * t42), t50 = (0.1264971f * t44 * t40 + t46 * t41 - t45 * t42) * t49;
-    const float t51 = (t44 * t43 - t47 * t42) * t49, t52 = (t47 * t41 - t44 * t42) * t49;
-    const float t53 = (t45 * t43 - 0.05708371f * t48 * t47 * t31 - t46 * t42) * t49;
-    const float t54 = t51 * t50 - (float)(62500.0 / 67859.0) + t53 * t52, t55 = nC[2] * t3 + nC[1] * t6 + nC[0] * t14;
-    const float t56 = xB[2] - xC[2], t57 = xB[1] - xC[1], t58 = xB[0] - xC[0];
-    const float t59 = nC[2] * t56 + nC[1] * t57 + nC[0] * t58, t60 = nB[2] * t56 + nB[1] * t57 + nB[0] * t58;
-    const float t61 = nD[2] * t5 + nD[1] * t8 + nD[0] * t16, t62 = nB[2] * t4 + nB[1] * t7 + nB[0] * t15;
-    const float t63 = nA[2] * t5 + nA[1] * t8 + nA[0] * t16, t64 = nA[2] * t4 + nA[1] * t7 + nA[0] * t15;
-    const float u7 = -1.085744f * t54, u8 = zero + 0.5f, t65 = (u8 > u7 ? u8 : u7), t66 = t53 * t50 / t65;
-    const float t67 = t50 + t52 * t66, t68 = t53 + t51 * t66, t69 = (u8 < t67 ? u8 : t67), u9 = zero - 0.5f;
-    const float t70 = (u9 > t69 ? u9 : t69), t71 = (u8 < t68 ? u8 : t68), t72 = (u9 > t71 ? u9 : t71);
-    const float t73 = t70 + 0.5f, t74 = t72 + 0.5f, t75 = t74 * t74 * (t74 - 1.5f), t76 = t73 * t73 * (t73 - 1.5f);
-    const float t77 = t74 - 1.0f, t78 = t73 - 1.0f, t79 = t74 * t77, t80 = t73 * t78, t81 = t5 - t12 * t73;
-    const float t82 = t59 * t76, t83 = t74 * t79, t84 = t55 * t75, t85 = t73 * t80, t86 = t76 + 0.5f;
-    const float t87 = t8 - t13 * t73, t88 = t74 + 2.0f * t75, t89 = t73 + 2.0f * t76, t90 = t84 * t85 - t82 * t83;
-    const float t91 = t48 * t75, t92 = t75 + 0.5f, t93 = t78 * t80, t94 = t61 * t86, t95 = t77 * t79;
-    const float t96 = t16 - t22 * t73, t97 = t88 * t89, t98 = t91 * t93 + t83 * t94, t99 = t60 * t95;
-    const float t100 = t63 * t95, t101 = t62 * t92, t102 = t64 * t92, t103 = t60 * t76, t104 = t85 * t101 - t76 * t99;
-    const float t105 = t86 * t100 + t93 * t102, t106 = t63 * t86, t107 = t74 - (float)(2.0 / 3.0);
-    const float t108 = t80 + (float)(1.0 / 6.0), t109 = t73 - (float)(1.0 / 3.0), t110 = t109 * t78;
-    const float t111 = t18 - t4 * t73 - t74 * t81 - t12 * t97 + 2.0f * (nC[2] * t90 + nD[2] * t98 + nB[2] * t104 +
-        nA[2] * t105);
-    const float t112 = t79 + (float)(1.0 / 6.0), t113 = t74 * t107, t114 = t55 * t79, t115 = t74 - (float)(1.0 / 3.0);
-    const float t116 = t115 * t77;
-    const float t117 = t19 - t7 * t73 - t74 * t87 - t13 * t97 + 2.0f * (nC[1] * t90 + nD[1] * t98 + nB[1] * t104 +
-        nA[1] * t105);
-    const float t118 = t27 - t15 * t73 - t74 * t96 - t22 * t97 + 2.0f * (nC[0] * t90 + nD[0] * t98 + nB[0] * t104 +
-        nA[0] * t105);
-    const float t119 = t74 - 6.0f * t108 * t88, t120 = t80 * t83, t121 = t70 * t83, t122 = t73 - (float)(2.0 / 3.0);
-    const float t123 = t73 * t122, t124 = t112 * t89, t125 = t113 * t80, t126 = t114 * t85 - t113 * t82;
-    const float t127 = t62 * t79, t128 = t110 * t91 + t61 * t120, t129 = t127 * t85 - t116 * t103, t130 = t72 * t85;
-    const float t131 = t48 * t93, t132 = t64 * t93, t133 = t123 * t84 - t59 * t120, t134 = t116 * t80;
-    const float t135 = t110 * t79, t136 = t113 * t94 + t79 * t131, t137 = t116 * t106 + t79 * t132;
-    const float t138 = t123 * t101 - t80 * t99, t139 = t80 * t100 + t110 * t102;
-    const float t140 = nD[2] * t111 + nD[1] * t117 + nD[0] * t118, t141 = nC[2] * t111 + nC[1] * t117 + nC[0] * t118;
-    const float t142 = t12 * t111 + t13 * t117 + t22 * t118, t143 = nB[2] * t111 + nB[1] * t117 + nB[0] * t118;
-    const float t144 = t81 + 6.0f * (t12 * t124 - nC[2] * t126 - nB[2] * t129 - nD[2] * t136 - nA[2] * t137);
-    const float t145 = t87 + 6.0f * (t13 * t124 - nC[1] * t126 - nB[1] * t129 - nD[1] * t136 - nA[1] * t137);
-    const float t146 = t96 + 6.0f * (t22 * t124 - nC[0] * t126 - nB[0] * t129 - nD[0] * t136 - nA[0] * t137);
-    const float t147 = t4 - t12 * t119 - 6.0f * (nD[2] * t128 + nC[2] * t133 + nB[2] * t138 + nA[2] * t139);
-    const float t148 = t7 - t13 * t119 - 6.0f * (nD[1] * t128 + nC[1] * t133 + nB[1] * t138 + nA[1] * t139);
-    const float t149 = t15 - t22 * t119 - 6.0f * (nD[0] * t128 + nC[0] * t133 + nB[0] * t138 + nA[0] * t139);
-    const float t150 = nA[2] * t111 + nA[1] * t117 + nA[0] * t118;
-    const float t151 = 18.0f * ((t61 * t125 + t48 * t135) * t140 + (t123 * t114 - t59 * t125) * t141 + (t123 * t127 -
-        t60 * t134) * t143 + (t63 * t134 + t64 * t135) * t150) - 36.0f * (t112 * t108 - (float)(1.0 / 36.0)) * t142;
-    const float t152 = 12.0f * (t72 * t89 * t142 - (t115 * t94 + t72 * t131) * t140 - (t55 * t130 - t115 * t82) *
-        t141 - (t62 * t130 - t107 * t103) * t143 - (t107 * t106 + t72 * t132) * t150);
-    const float t153 = t70 * t88 * t142 - (t122 * t91 + t61 * t121) * t140 - (t109 * t84 - t59 * t121) * t141 - (t109
-        * t101 - t70 * t99) * t143 - (t70 * t100 + t122 * t102) * t150;
-    const float t154 = t144 * t147 + t145 * t148 + t146 * t149 + t151;
-    const float t155 = t144 * t144 + t145 * t145 + t146 * t146 - t152, u10 = 12.0f * t153;
-    const float t156 = t147 * t147 + t148 * t148 + t149 * t149 - u10, t157 = t111 * t144 + t117 * t145 + t118 * t146;
-    const float t158 = t111 * t147 + t117 * t148 + t118 * t149, t159 = t156 * t155, t160 = t159 - t154 * t154;
-    const float t161 = t157 * t156 - t158 * t154, t162 = t158 * t155 - t157 * t154, u11 = 0.1f * t159;
-    const float t163 = (t160 > u11 ? t160 : u11), t164 = 1.0f / t163, t165 = t72 + t161 * t164;
-    const float t166 = t70 + t162 * t164, t167 = (u8 < t166 ? u8 : t166), t168 = (u9 > t167 ? u9 : t167);
-    const float t169 = (u8 < t165 ? u8 : t165), t170 = (u9 > t169 ? u9 : t169), t171 = t170 + 0.5f;
-    const float t172 = t168 + 0.5f, t173 = t171 * t171 * (t171 - 1.5f), t174 = t172 * t172 * (t172 - 1.5f);
-    const float t175 = t171 - 1.0f, t176 = t172 - 1.0f, t177 = t171 * t175, t178 = t172 * t176;
-    const float t179 = t171 + 2.0f * t173, t180 = t171 * t177, t181 = t176 * t178, t182 = t174 + 0.5f;
-    const float t183 = t171 - 6.0f * (t178 + (float)(1.0 / 6.0)) * t179, t184 = (t172 - (float)(1.0 / 3.0)) * t176;
-    const float t185 = t171 * (t171 - (float)(2.0 / 3.0)), t186 = t172 + 2.0f * t174, t187 = t172 * t178;
-    const float t188 = t48 * t173, t189 = t61 * t182, t190 = t178 * t180, t191 = t59 * t174;
-    const float t192 = t172 * (t172 - (float)(2.0 / 3.0)), t193 = (t177 + (float)(1.0 / 6.0)) * t186;
-    const float t194 = t177 * t181, t195 = (t171 - (float)(1.0 / 3.0)) * t175, t196 = t175 * t177, t197 = t177 * t187;
-    const float t198 = t55 * t173, t199 = t173 + 0.5f, t200 = t64 * t199, t201 = t62 * t199;
-    const float t202 = t184 * t188 + t61 * t190, t203 = t185 * t189 + t48 * t194, t204 = t55 * t197 - t185 * t191;
-    const float t205 = t5 - t12 * t172, t206 = t60 * t196, t207 = t63 * t196, t208 = t62 * t197 - t60 * t195 * t174;
-    const float t209 = t63 * t195 * t182 + t64 * t194, t210 = t192 * t198 - t59 * t190, t211 = t8 - t13 * t172;
-    const float t212 = t192 * t201 - t178 * t206, t213 = t178 * t207 + t184 * t200, t214 = t16 - t22 * t172;
-    const float t215 = t179 * t186, t216 = t198 * t187 - t191 * t180, t217 = t188 * t181 + t180 * t189;
-    const float t218 = t4 - t12 * t183 - 6.0f * (nD[2] * t202 + nC[2] * t210 + nB[2] * t212 + nA[2] * t213);
-    const float t219 = t7 - t13 * t183 - 6.0f * (nD[1] * t202 + nC[1] * t210 + nB[1] * t212 + nA[1] * t213);
-    const float t220 = t15 - t22 * t183 - 6.0f * (nD[0] * t202 + nC[0] * t210 + nB[0] * t212 + nA[0] * t213);
-    const float t221 = t205 + 6.0f * (t12 * t193 - nD[2] * t203 - nC[2] * t204 - nB[2] * t208 - nA[2] * t209);
-    const float t222 = t211 + 6.0f * (t13 * t193 - nD[1] * t203 - nC[1] * t204 - nB[1] * t208 - nA[1] * t209);
-    const float t223 = t187 * t201 - t174 * t206;
-    const float t224 = t214 + 6.0f * (t22 * t193 - nD[0] * t203 - nC[0] * t204 - nB[0] * t208 - nA[0] * t209);
-    const float t225 = t182 * t207 + t181 * t200, t226 = t151 + (t221 * t218 + t222 * t219 + t224 * t220);
-    const float t227 = t221 * t221 + t222 * t222 + t224 * t224 - t152;
-    const float t228 = t218 * t218 + t219 * t219 + t220 * t220 - u10;
-    const float t229 = t18 - t4 * t172 - t171 * t205 - t12 * t215 + 2.0f * (nC[2] * t216 + nD[2] * t217 + nB[2] *
-        t223 + nA[2] * t225);
-    const float t230 = t19 - t7 * t172 - t171 * t211 - t13 * t215 + 2.0f * (nC[1] * t216 + nD[1] * t217 + nB[1] *
-        t223 + nA[1] * t225);
-    const float t231 = t27 - t15 * t172 - t171 * t214 - t22 * t215 + 2.0f * (nC[0] * t216 + nD[0] * t217 + nB[0] *
-        t223 + nA[0] * t225);
-    const float t232 = t229 * t218 + t230 * t219 + t231 * t220, t233 = t229 * t221 + t230 * t222 + t231 * t224;
-    const float t234 = t227 * t228, t235 = t234 - t226 * t226, t236 = t232 * t227 - t233 * t226;
-    const float t237 = t233 * t228 - t232 * t226, u12 = 0.1f * t234, t238 = (t235 > u12 ? t235 : u12);
-    const float t239 = 1.0f / t238, t240 = t168 + t236 * t239, t241 = t170 + t237 * t239, u13 = 2.0f * t240;
-    const float u14 = zero + 1.0f, t242 = (u14 < u13 ? u14 : u13), u15 = zero - 1.0f;
-    const float t243 = (u15 > t242 ? u15 : t242), u16 = 2.0f * t241, t244 = (u14 < u16 ? u14 : u16);
-    const float t245 = (u15 > t244 ? u15 : t244);
-    *xi = t243;
-    *eta = t245;
-    return 0;
-}
-
-FOOTPOINT_APART void footpoint_bezier_exact_single_begin(footpoint_detail_f_block *FOOTPOINT_RESTRICT b)
-{
-    const float zero = (float)footpoint_detail_zero();
-    int l, k, i;
-    FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
-        float x[9][3];
-        FOOTPOINT_UNROLL
-        for (i = 0; i < 3; i++) {
-            x[0][i] = 0;
-            x[1][i] = b->edge[0][i][l];
-            x[2][i] = b->edge[0][i][l] + b->edge[3][i][l];
-            x[3][i] = b->edge[2][i][l];
-            x[8][i] = b->d[i][l] + (float)0.25 * ((x[1][i] + x[3][i]) + x[2][i]);
-        }
-        FOOTPOINT_UNROLL
-        for (k = 0; k < 4; k++) {
-            FOOTPOINT_UNROLL
-            for (i = 0; i < 3; i++)
-                x[4 + k][i] = b->normal[k][i][l];
-        }
-        (void)footpoint_bezier_exact_single_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &b->p[l], &b->q[l]);
-    }
-}
-
-FOOTPOINT_APART void footpoint_bezier_exact_begin(footpoint_detail_block *FOOTPOINT_RESTRICT b)
-{
-    const double zero = (double)footpoint_detail_zero();
-    int l, k, i;
-    FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
-        double x[9][3];
-        FOOTPOINT_UNROLL
-        for (i = 0; i < 3; i++) {
-            x[0][i] = 0;
-            x[1][i] = b->edge[0][i][l];
-            x[2][i] = b->edge[0][i][l] + b->edge[3][i][l];
-            x[3][i] = b->edge[2][i][l];
-            x[8][i] = b->d[i][l] + (double)0.25 * ((x[1][i] + x[3][i]) + x[2][i]);
-        }
-        FOOTPOINT_UNROLL
-        for (k = 0; k < 4; k++) {
-            FOOTPOINT_UNROLL
-            for (i = 0; i < 3; i++)
-                x[4 + k][i] = b->normal[k][i][l];
-        }
-        (void)footpoint_bezier_exact_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &b->p[l], &b->q[l]);
-    }
-}
-
 FOOTPOINT_PART unsigned long long footpoint_bezier_full_detail(const double xA[3], const double xB[3],
                                                                const double xC[3], const double xD[3],
                                                                const double nA[3], const double nB[3],
@@ -4982,7 +4809,7 @@ FOOTPOINT_PART unsigned long long footpoint_bezier_full_detail(const double xA[3
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  3e5c791649f73498dfbe9b09cf53c42d99e9f195b89cc51ceed3cf693427c851
  *   poles:          t17 * t17 - t16 * t18: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
- *   rounding:       xi 8.2e-14 sampled; eta 3.1e-14 sampled (1000000 points)
+ *   rounding:       xi 1.9e-13 sampled; eta 3.5e-13 sampled (1000000 points)
  *   statuses:       proved on 100.00 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 68 islands 2
  *   training_both:  genes 107 mean 1.131e-02
@@ -5005,7 +4832,7 @@ FOOTPOINT_PART unsigned long long footpoint_bezier_facet_detail_checked(const do
                                                                         double *eta, double *gap)
 {
     unsigned long long flaw;
-    flaw = footpoint_bezier_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw = footpoint_bezier_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
         return footpoint_detail_bezier_patch(x, FOOTPOINT_BEZIER_FACET_PROMISE, 0, FOOTPOINT_BEZIER_FACET_PROMISE < 1e-6, FOOTPOINT_BEZIER_LEAST, xi, eta,
                                              gap);
@@ -5123,7 +4950,7 @@ FOOTPOINT_FN int footpoint_bezier_facet_closest_of(size_t n, const double *const
  *   genome_sha256:  c0f0c4ad9bc09b8ed09d9bfaa9d9f5c7eea50129baf488e0a7cb2390b0f93c7b
  *   poles:          t35 * t33 - t34 * t34: proved free of zeros, |...| >= 0.044 (rounding error <= 2.2e-12)
  *   poles:          t47: proved free of zeros, |t47| >= 0.5 (rounding error <= 9e-10)
- *   rounding:       xi 1.5e-13 sampled; eta 9.5e-14 sampled (1000000 points)
+ *   rounding:       xi 5.1e-14 sampled; eta 9.5e-14 sampled (1000000 points)
  *   statuses:       proved on 100.00 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 68 islands 2
  *   training_both:  genes 158 mean 3.555e-03
@@ -5146,7 +4973,7 @@ FOOTPOINT_PART unsigned long long footpoint_bezier_normals_detail_checked(const 
                                                                           double *eta, double *gap)
 {
     unsigned long long flaw;
-    flaw = footpoint_bezier_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw = footpoint_bezier_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
         return footpoint_detail_bezier_patch(x, FOOTPOINT_BEZIER_NORMALS_PROMISE, 0, FOOTPOINT_BEZIER_NORMALS_PROMISE < 1e-6, FOOTPOINT_BEZIER_LEAST, xi, eta,
                                              gap);
@@ -5269,7 +5096,7 @@ FOOTPOINT_FN int footpoint_bezier_normals_closest_of(size_t n, const double *con
  *   poles:          t47 * t47 + t46 * t48: proved free of zeros, |...| >= 0.045 (rounding error <= 2.8e-12)
  *   poles:          t131 * t133 - t132 * t132: proved free of zeros, |...| >= 0.017; status if computed as 0 or not
  *     finite
- *   rounding:       xi 1.5e-11 sampled; eta 9e-12 sampled (1000000 points)
+ *   rounding:       xi 6e-12 sampled; eta 5.9e-12 sampled (1000000 points)
  *   statuses:       proved on 100.00 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 12 islands 2
  *   training_both:  genes 143 mean 1.291e-04
@@ -5292,7 +5119,7 @@ FOOTPOINT_PART unsigned long long footpoint_bezier_smooth_detail_checked(const d
                                                                          double *eta, double *gap)
 {
     unsigned long long flaw;
-    flaw = footpoint_bezier_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw = footpoint_bezier_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
         return footpoint_detail_bezier_patch(x, FOOTPOINT_BEZIER_SMOOTH_PROMISE, 0, FOOTPOINT_BEZIER_SMOOTH_PROMISE < 1e-6, FOOTPOINT_BEZIER_LEAST, xi, eta,
                                              gap);
@@ -5413,7 +5240,7 @@ FOOTPOINT_FN int footpoint_bezier_smooth_closest_of(size_t n, const double *cons
  *   genome_sha256:  157fd1c431cbd1ed9259975055490ee300d5a06e7282fa87c49125c5bcdc562e
  *   poles:          t39 * t39 - t42 * t40: proved free of zeros, |...| >= 0.044 (rounding error <= 2.6e-12)
  *   poles:          t162: proved free of zeros, |t162| >= 0.0019; status if computed as 0 or not finite
- *   rounding:       xi 1.3e-12 sampled; eta 1.5e-12 sampled (1000000 points)
+ *   rounding:       xi 4.1e-12 sampled; eta 1.6e-12 sampled (1000000 points)
  *   statuses:       proved on 100.00 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 12 islands 2
  *   training_both:  genes 140 mean 2.147e-05
@@ -5560,7 +5387,7 @@ FOOTPOINT_FN int footpoint_bezier_precise_closest_of(size_t n, const double *con
  *   poles:          t65: proved free of zeros, |t65| >= 0.5 (rounding error <= 8.1e-10)
  *   poles:          t163: proved free of zeros, |t163| >= 0.0019; status if computed as 0 or not finite
  *   poles:          t238: proved free of zeros, |t238| >= 0.0017; status if computed as 0 or not finite
- *   rounding:       xi 4.4e-12 sampled; eta 5.1e-12 sampled (1000000 points)
+ *   rounding:       xi 8.9e-12 sampled; eta 1.2e-11 sampled (1000000 points)
  *   statuses:       proved on 100.00 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 12 islands 2
  *   training_both:  genes 143 mean 1.623e-07
@@ -5583,9 +5410,9 @@ FOOTPOINT_PART unsigned long long footpoint_bezier_exact_detail_checked(const do
                                                                         double *eta, double *gap)
 {
     unsigned long long flaw;
-    flaw = footpoint_bezier_exact_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw = footpoint_bezier_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
-        return footpoint_detail_bezier_patch(x, FOOTPOINT_BEZIER_EXACT_PROMISE, 0, FOOTPOINT_BEZIER_EXACT_PROMISE < 1e-6, FOOTPOINT_BEZIER_LEAST, xi, eta,
+        return footpoint_detail_bezier_patch(x, FOOTPOINT_BEZIER_EXACT_PROMISE, 1, FOOTPOINT_BEZIER_EXACT_PROMISE < 1e-6, FOOTPOINT_BEZIER_LEAST, xi, eta,
                                              gap);
     return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
 }
@@ -5615,7 +5442,7 @@ FOOTPOINT_LOOP void footpoint_bezier_exact_checked_n(size_t n, const double *con
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_lanes_run(footpoint_bezier_exact_begin, 0, footpoint_bezier_exact_detail_checked, NULL, n, x, FOOTPOINT_BEZIER_EXACT_PROMISE, xi, eta, gap, status);
+    footpoint_detail_bezier_lanes_run(footpoint_bezier_smooth_begin, 1, footpoint_bezier_exact_detail_checked, NULL, n, x, FOOTPOINT_BEZIER_EXACT_PROMISE, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_exact_over_n(const double *const nodes[8], size_t n,
@@ -5623,7 +5450,7 @@ FOOTPOINT_LOOP void footpoint_bezier_exact_over_n(const double *const nodes[8], 
                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                   int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_bezier_lanes_run(footpoint_bezier_exact_begin, 0, footpoint_bezier_exact_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_EXACT_PROMISE, xi, eta, gap, status);
+    footpoint_detail_bezier_lanes_run(footpoint_bezier_smooth_begin, 1, footpoint_bezier_exact_detail_checked, nodes, n, x, FOOTPOINT_BEZIER_EXACT_PROMISE, xi, eta, gap, status);
 }
 
 FOOTPOINT_FN int footpoint_bezier_exact_from(const double xA[3], const double xB[3], const double xC[3],
@@ -5661,8 +5488,8 @@ FOOTPOINT_PART int footpoint_bezier_exact_detail_nearby(const double *const *x, 
                                                         int *region)
 {
     (void)lanes;
-    (void)footpoint_bezier_exact_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
-    return footpoint_detail_bezier_close(x, FOOTPOINT_BEZIER_EXACT_PROMISE, 0, at, region);
+    (void)footpoint_bezier_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
+    return footpoint_detail_bezier_close(x, FOOTPOINT_BEZIER_EXACT_PROMISE, 1, at, region);
 }
 
 FOOTPOINT_FN int footpoint_bezier_exact_closest(const double xA[3], const double xB[3], const double xC[3],
@@ -5706,7 +5533,7 @@ FOOTPOINT_FN int footpoint_bezier_exact_closest_of(size_t n, const double *const
  *   poles:          t205: proved free of zeros, |t205| >= 0.0016; status if computed as 0 or not finite
  *   poles:          t280: proved free of zeros, |t280| >= 0.0016; status if computed as 0 or not finite
  *   poles:          t355: proved free of zeros, |t355| >= 0.0016; status if computed as 0 or not finite
- *   rounding:       xi 2.2e-11 sampled; eta 2e-11 sampled (1000000 points)
+ *   rounding:       xi 2.1e-08 sampled; eta 3.5e-08 sampled (1000000 points)
  *   statuses:       proved on 100.00 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     a seed, composed of the frame's functions or given
  *   training_both:  genes 491 mean 6.436e-10
@@ -5729,7 +5556,7 @@ FOOTPOINT_PART unsigned long long footpoint_bezier_full_detail_checked(const dou
                                                                        double *eta, double *gap)
 {
     unsigned long long flaw;
-    flaw = footpoint_bezier_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw = footpoint_bezier_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
         return footpoint_detail_bezier_patch(x, FOOTPOINT_BEZIER_FULL_PROMISE, 1, FOOTPOINT_BEZIER_FULL_PROMISE < 1e-6, FOOTPOINT_BEZIER_LEAST, xi, eta,
                                              gap);

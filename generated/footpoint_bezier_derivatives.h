@@ -357,8 +357,8 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  09685a96b8dec21cb60b9e18ae313b1cfea1e257d8921edfa6255d4dbfcb4bd2
  *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 6e-11)
- *   rounding:       r <= 3.2e-15 proved, 1.8e-15 sampled; r_xi <= 2.3e-15 proved, 7.4e-16 sampled; r_eta <= 2.2e-15
- *     proved, 6e-16 sampled; normal 7.2e-16 sampled; gap 2.1e-15 sampled (1000000 points)
+ *   rounding:       r <= 3.2e-15 proved, 1.9e-15 sampled; r_xi <= 2.3e-15 proved, 7.8e-16 sampled; r_eta <= 2.2e-15
+ *     proved, 5.8e-16 sampled; normal 7e-16 sampled; gap 1.7e-15 sampled (1000000 points)
  *   gives:          r, r_xi, r_eta point and tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -561,9 +561,9 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   genome_sha256:  b5ed9b26b6850768f0c25f498e693f5fac7e8ebe76fb2460259a3f8bf975a77e
  *   poles:          t158: proved free of zeros, |t158| >= 1e+05 (rounding error <= 6.6e-05)
  *   poles:          t162: proved free of zeros, |t162| >= 1e+05 (rounding error <= 0.00079)
- *   rounding:       r <= 3.1e-15 proved, 1.8e-15 sampled; r_xi <= 2.6e-15 proved, 8.4e-16 sampled; r_eta <= 2.7e-15
- *     proved, 8.8e-16 sampled; normal 7.5e-16 sampled; gap 1.7e-15 sampled; d_xi 2.4e-13 sampled; d_eta 3.1e-13
- *     sampled; d_gap 8.3e-16 sampled; d_xi_n 1.2e-13 sampled; d_eta_n 1.1e-13 sampled; d_gap_n 4.5e-16 sampled
+ *   rounding:       r <= 3.1e-15 proved, 1.8e-15 sampled; r_xi <= 2.6e-15 proved, 8.5e-16 sampled; r_eta <= 2.7e-15
+ *     proved, 9e-16 sampled; normal 7.1e-16 sampled; gap 1.7e-15 sampled; d_xi 3.3e-13 sampled; d_eta 3.8e-13
+ *     sampled; d_gap 7.8e-16 sampled; d_xi_n 3.1e-13 sampled; d_eta_n 2.5e-13 sampled; d_gap_n 4.7e-16 sampled
  *     (1000000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of corner k, the slave node
  *     last; d_xi_n, d_eta_n, d_gap_n by those of the normals, which stay unit

@@ -5961,7 +5961,7 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_full_detail(const double xA[
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  b9bc0a78f69c46b3d7c1a7ddf437a9de74515862ee067929dba073604292d68b
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
- *   rounding:       xi 4.2e-14 sampled; eta 2.9e-14 sampled (1000000 points)
+ *   rounding:       xi 5.7e-14 sampled; eta 3.9e-14 sampled (1000000 points)
  *   statuses:       proved on 99.98 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 124 islands 2
  *   training_both:  genes 107 mean 1.131e-02
@@ -5984,7 +5984,7 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_facet_detail_checked(const d
                                                                          double *eta, double *gap)
 {
     unsigned long long flaw;
-    flaw = footpoint_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw = footpoint_gregory_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
         return footpoint_detail_gregory_patch(x, FOOTPOINT_GREGORY_FACET_PROMISE, 0, FOOTPOINT_GREGORY_FACET_PROMISE < 1e-6, FOOTPOINT_GREGORY_LEAST, xi, eta,
                                               gap);
@@ -6017,7 +6017,7 @@ FOOTPOINT_LOOP void footpoint_gregory_facet_checked_n(size_t n, const double *co
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_gregory_lanes_run(footpoint_gregory_smooth_single_begin, 0, footpoint_gregory_facet_detail_checked, NULL, n, x, FOOTPOINT_GREGORY_FACET_PROMISE, xi, eta, gap, status);
+    footpoint_detail_f_gregory_lanes_run(footpoint_gregory_facet_single_begin, 1, footpoint_gregory_facet_detail_checked, NULL, n, x, FOOTPOINT_GREGORY_FACET_PROMISE, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_facet_over_n(const double *const nodes[8], size_t n,
@@ -6025,7 +6025,7 @@ FOOTPOINT_LOOP void footpoint_gregory_facet_over_n(const double *const nodes[8],
                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                    int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_gregory_lanes_run(footpoint_gregory_smooth_single_begin, 0, footpoint_gregory_facet_detail_checked, nodes, n, x, FOOTPOINT_GREGORY_FACET_PROMISE, xi, eta, gap, status);
+    footpoint_detail_f_gregory_lanes_run(footpoint_gregory_facet_single_begin, 1, footpoint_gregory_facet_detail_checked, nodes, n, x, FOOTPOINT_GREGORY_FACET_PROMISE, xi, eta, gap, status);
 }
 
 FOOTPOINT_FN int footpoint_gregory_facet_from(const double xA[3], const double xB[3], const double xC[3],
@@ -6064,8 +6064,8 @@ FOOTPOINT_PART int footpoint_gregory_facet_detail_nearby(const double *const *x,
                                                          int *region)
 {
     (void)lanes;
-    (void)footpoint_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
-    return footpoint_detail_gregory_close(x, FOOTPOINT_GREGORY_FACET_PROMISE, 0, at, region);
+    (void)footpoint_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
+    return footpoint_detail_gregory_close(x, FOOTPOINT_GREGORY_FACET_PROMISE, 1, at, region);
 }
 
 FOOTPOINT_FN int footpoint_gregory_facet_closest(const double xA[3], const double xB[3], const double xC[3],
@@ -6104,7 +6104,7 @@ FOOTPOINT_FN int footpoint_gregory_facet_closest_of(size_t n, const double *cons
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  0ccf74dfd8a598c99ad22e34d4a79de965dc07145542063b3d1ab76d156d28f0
  *   poles:          t40: proved free of zeros, |t40| >= 0.044 (rounding error <= 3.2e-12)
- *   rounding:       xi 8.6e-14 sampled; eta 1.8e-13 sampled (1000000 points)
+ *   rounding:       xi 6.4e-13 sampled; eta 2.3e-13 sampled (1000000 points)
  *   statuses:       proved on 99.98 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 59 islands 2
  *   training_both:  genes 248 mean 3.058e-03
@@ -6127,7 +6127,7 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_normals_detail_checked(const
                                                                            double *eta, double *gap)
 {
     unsigned long long flaw;
-    flaw = footpoint_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw = footpoint_gregory_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
         return footpoint_detail_gregory_patch(x, FOOTPOINT_GREGORY_NORMALS_PROMISE, 0, FOOTPOINT_GREGORY_NORMALS_PROMISE < 1e-6, FOOTPOINT_GREGORY_LEAST, xi, eta,
                                               gap);
@@ -6162,7 +6162,7 @@ FOOTPOINT_LOOP void footpoint_gregory_normals_checked_n(size_t n, const double *
                                                         double *FOOTPOINT_RESTRICT gap,
                                                         int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_gregory_lanes_run(footpoint_gregory_smooth_single_begin, 0, footpoint_gregory_normals_detail_checked, NULL, n, x, FOOTPOINT_GREGORY_NORMALS_PROMISE, xi, eta, gap, status);
+    footpoint_detail_f_gregory_lanes_run(footpoint_gregory_facet_single_begin, 1, footpoint_gregory_normals_detail_checked, NULL, n, x, FOOTPOINT_GREGORY_NORMALS_PROMISE, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void footpoint_gregory_normals_over_n(const double *const nodes[8], size_t n,
@@ -6170,7 +6170,7 @@ FOOTPOINT_LOOP void footpoint_gregory_normals_over_n(const double *const nodes[8
                                                      double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_f_gregory_lanes_run(footpoint_gregory_smooth_single_begin, 0, footpoint_gregory_normals_detail_checked, nodes, n, x, FOOTPOINT_GREGORY_NORMALS_PROMISE, xi, eta, gap, status);
+    footpoint_detail_f_gregory_lanes_run(footpoint_gregory_facet_single_begin, 1, footpoint_gregory_normals_detail_checked, nodes, n, x, FOOTPOINT_GREGORY_NORMALS_PROMISE, xi, eta, gap, status);
 }
 
 FOOTPOINT_FN int footpoint_gregory_normals_from(const double xA[3], const double xB[3], const double xC[3],
@@ -6209,8 +6209,8 @@ FOOTPOINT_PART int footpoint_gregory_normals_detail_nearby(const double *const *
                                                            int *region)
 {
     (void)lanes;
-    (void)footpoint_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
-    return footpoint_detail_gregory_close(x, FOOTPOINT_GREGORY_NORMALS_PROMISE, 0, at, region);
+    (void)footpoint_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &at[0], &at[1]);
+    return footpoint_detail_gregory_close(x, FOOTPOINT_GREGORY_NORMALS_PROMISE, 1, at, region);
 }
 
 FOOTPOINT_FN int footpoint_gregory_normals_closest(const double xA[3], const double xB[3], const double xC[3],
@@ -6251,7 +6251,7 @@ FOOTPOINT_FN int footpoint_gregory_normals_closest_of(size_t n, const double *co
  *   genome_sha256:  a69b4cd91321b70a1190018767cc13395bba6537cc0d6d773df75c4e4baf98b1
  *   poles:          t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
  *   poles:          t84: proved free of zeros, |t84| >= 0.034 (rounding error <= 6.5e-06)
- *   rounding:       xi 9.5e-13 sampled; eta 3.3e-13 sampled (1000000 points)
+ *   rounding:       xi 5.4e-13 sampled; eta 2.4e-13 sampled (1000000 points)
  *   statuses:       proved on 99.98 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 59 islands 2
  *   training_both:  genes 470 mean 1.258e-03
@@ -6274,9 +6274,9 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_smooth_detail_checked(const 
                                                                           double *eta, double *gap)
 {
     unsigned long long flaw;
-    flaw = footpoint_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw = footpoint_gregory_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
-        return footpoint_detail_gregory_patch(x, FOOTPOINT_GREGORY_SMOOTH_PROMISE, 1, FOOTPOINT_GREGORY_SMOOTH_PROMISE < 1e-6, FOOTPOINT_GREGORY_LEAST, xi, eta,
+        return footpoint_detail_gregory_patch(x, FOOTPOINT_GREGORY_SMOOTH_PROMISE, 0, FOOTPOINT_GREGORY_SMOOTH_PROMISE < 1e-6, FOOTPOINT_GREGORY_LEAST, xi, eta,
                                               gap);
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
 }
@@ -6396,7 +6396,7 @@ FOOTPOINT_FN int footpoint_gregory_smooth_closest_of(size_t n, const double *con
  *   genome_sha256:  711122bc04c94e9f21ddcc56082c85889b5502bdd93e2b4f8e916af5b5d2081e
  *   poles:          t39: proved free of zeros, |t39| >= 2.7e-05 (rounding error <= 6.7e-10)
  *   poles:          t164: proved free of zeros, |t164| >= 0.0021; status if computed as 0 or not finite
- *   rounding:       xi 3e-13 sampled; eta 9.8e-13 sampled (1000000 points)
+ *   rounding:       xi 2.2e-13 sampled; eta 5e-13 sampled (1000000 points)
  *   statuses:       proved on 99.98 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 20 islands 2
  *   training_both:  genes 134 mean 7.800e-04
@@ -6553,7 +6553,7 @@ FOOTPOINT_FN int footpoint_gregory_corrected_closest_of(size_t n, const double *
  *   poles:          t255: proved free of zeros, |t255| >= 9.9e-13 (as computed, too)
  *   poles:          t329 * t330 - t328 * t328: proved free of zeros, |...| >= 0.017; status if computed as 0 or not
  *     finite
- *   rounding:       xi 2.8e-13 sampled; eta 2.5e-13 sampled (1000000 points)
+ *   rounding:       xi 9.2e-13 sampled; eta 1.2e-12 sampled (1000000 points)
  *   statuses:       proved on 99.98 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 19 islands 2
  *   training_both:  genes 329 mean 6.693e-05
@@ -6709,7 +6709,7 @@ FOOTPOINT_FN int footpoint_gregory_precise_closest_of(size_t n, const double *co
  *   poles:          t270: proved free of zeros, |t270| >= 9.9e-13 (as computed, too)
  *   poles:          t272: proved free of zeros, |t272| >= 9.9e-13 (as computed, too)
  *   poles:          t397: proved free of zeros, |t397| >= 0.0016; status if computed as 0 or not finite
- *   rounding:       xi 1.6e-12 sampled; eta 2.3e-12 sampled (1000000 points)
+ *   rounding:       xi 1.1e-08 sampled; eta 8.1e-09 sampled (1000000 points)
  *   statuses:       proved on 99.98 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 11 islands 2
  *   training_both:  genes 425 mean 4.422e-06
@@ -6866,7 +6866,7 @@ FOOTPOINT_FN int footpoint_gregory_exact_closest_of(size_t n, const double *cons
  *   poles:          t421: proved free of zeros, |t421| >= 9.9e-13 (as computed, too)
  *   poles:          t425: proved free of zeros, |t425| >= 9.9e-13 (as computed, too)
  *   poles:          of 4 more denominators, 3 are proved free of zeros, 2 of these as computed, too
- *   rounding:       xi 5.7e-08 sampled; eta 8.4e-08 sampled (1000000 points)
+ *   rounding:       xi 1.6e-11 sampled; eta 2.3e-11 sampled (1000000 points)
  *   statuses:       proved on 99.47 % of 100000 samples of heldout, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 11 islands 2
  *   training_both:  genes 269 mean 4.835e-09
@@ -6889,9 +6889,9 @@ FOOTPOINT_PART unsigned long long footpoint_gregory_full_detail_checked(const do
                                                                         double *eta, double *gap)
 {
     unsigned long long flaw;
-    flaw = footpoint_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw = footpoint_gregory_normals_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
-        return footpoint_detail_gregory_patch(x, FOOTPOINT_GREGORY_FULL_PROMISE, 2, FOOTPOINT_GREGORY_FULL_PROMISE < 1e-6, FOOTPOINT_GREGORY_LEAST, xi, eta,
+        return footpoint_detail_gregory_patch(x, FOOTPOINT_GREGORY_FULL_PROMISE, 1, FOOTPOINT_GREGORY_FULL_PROMISE < 1e-6, FOOTPOINT_GREGORY_LEAST, xi, eta,
                                               gap);
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_GREGORY_LEAST, gap);
 }

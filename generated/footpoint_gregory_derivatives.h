@@ -369,7 +369,7 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place,
  *   poles:          t34 - t26 * t26: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
  *   poles:          t34 - t21 * t21: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
  *   poles:          of 1 more denominators, 1 are proved free of zeros, 1 of these as computed, too
- *   rounding:       r 1.9e-15 sampled; r_xi 7.6e-16 sampled; r_eta 8.4e-16 sampled; normal 5e-16 sampled; gap 9.5e-16
+ *   rounding:       r 2e-15 sampled; r_xi 8.4e-16 sampled; r_eta 8.7e-16 sampled; normal 5.3e-16 sampled; gap 1.2e-15
  *     sampled (587026 points)
  *   gives:          r, r_xi, r_eta point and tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
@@ -666,9 +666,9 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   poles:          t31 - t28 * t28: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
  *   poles:          t32 - t30 * t30: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
  *   poles:          of 2 more denominators, 2 are proved free of zeros, 2 of these as computed, too
- *   rounding:       r 1.2e-15 sampled; r_xi 6.4e-16 sampled; r_eta 7.5e-16 sampled; normal 3.8e-16 sampled; gap
- *     6.9e-16 sampled; d_xi 3.8e-13 sampled; d_eta 2.3e-13 sampled; d_gap 5.8e-16 sampled; d_xi_n 4.1e-14 sampled;
- *     d_eta_n 3.7e-14 sampled; d_gap_n 3.7e-16 sampled (587026 points)
+ *   rounding:       r <= 1.4e-13 proved, 1.5e-15 sampled; r_xi 6e-16 sampled; r_eta 7.1e-16 sampled; normal 5.1e-16
+ *     sampled; gap 1.1e-15 sampled; d_xi 3.5e-13 sampled; d_eta 6.4e-13 sampled; d_gap 5.8e-16 sampled; d_xi_n
+ *     8.4e-14 sampled; d_eta_n 1.7e-13 sampled; d_gap_n 4.3e-16 sampled (587026 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of corner k, the slave node
  *     last; d_xi_n, d_eta_n, d_gap_n by those of the normals, which stay unit
  *   vectorises:     -O3 -fno-math-errno

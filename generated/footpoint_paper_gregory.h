@@ -5871,7 +5871,7 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_full_detail(const doub
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  4e0ca8e902e7d2a4a0deab98b03985950e1ebba323b988f6574356e9d5ddfa4d
  *   poles:          t27 * t27 - t25 * t26: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
- *   rounding:       xi 5.7e-12 sampled; eta 2.3e-11 sampled (1000000 points)
+ *   rounding:       xi 7.3e-11 sampled; eta 5.2e-12 sampled (1000000 points)
  *   statuses:       proved on 100.00 % of 30000 samples of heldout_random, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 143 mean 2.337e-02
@@ -6025,7 +6025,7 @@ FOOTPOINT_FN int footpoint_paper_gregory_facet_closest_of(size_t n, const double
  *   poles:          t33 * t34 - t32 * t32: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
  *   poles:          t121 * t122 - t120 * t120: proved free of zeros, |...| >= 8.6e-07; status if computed as 0 or not
  *     finite
- *   rounding:       xi 2.8e-11 sampled; eta 2.4e-11 sampled (1000000 points)
+ *   rounding:       xi 3.1e-09 sampled; eta 2.2e-09 sampled (1000000 points)
  *   statuses:       proved on 100.00 % of 30000 samples of heldout_random, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 143 mean 1.437e-02
@@ -6182,7 +6182,7 @@ FOOTPOINT_FN int footpoint_paper_gregory_smooth_closest_of(size_t n, const doubl
  *   poles:          t148: proved free of zeros, |t148| >= 9.9e-07 (as computed, too)
  *   poles:          t152: proved free of zeros, |t152| >= 0.24 (as computed, too)
  *   poles:          t214: proved free of zeros, |t214| >= 9.8e-05; status if computed as 0 or not finite
- *   rounding:       xi 3.5e-09 sampled; eta 5.9e-09 sampled (1000000 points)
+ *   rounding:       xi 1.5e-10 sampled; eta 2e-11 sampled (1000000 points)
  *   statuses:       proved on 100.00 % of 30000 samples of heldout_random, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 143 mean 2.447e-03
@@ -6208,7 +6208,7 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_weighted_detail_checke
     unsigned long long flaw;
     flaw = footpoint_paper_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
-        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_WEIGHTED_PROMISE, 2, FOOTPOINT_PAPER_GREGORY_WEIGHTED_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
+        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_WEIGHTED_PROMISE, 1, FOOTPOINT_PAPER_GREGORY_WEIGHTED_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
                                               gap);
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
 }
@@ -6343,7 +6343,7 @@ FOOTPOINT_FN int footpoint_paper_gregory_weighted_closest_of(size_t n, const dou
  *   poles:          t243: proved free of zeros, |t243| >= 9.9e-07 (as computed, too)
  *   poles:          t245: proved free of zeros, |t245| >= 0.24 (as computed, too)
  *   poles:          t366: no zero where the region's requires hold, by no proved margin
- *   rounding:       xi 1 sampled; eta 1 sampled (1000000 points)
+ *   rounding:       xi 4e-10 sampled; eta 6.5e-11 sampled (1000000 points)
  *   statuses:       proved on 100.00 % of 30000 samples of heldout_random, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 326 mean 1.234e-03
@@ -6369,7 +6369,7 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_precise_detail_checked
     unsigned long long flaw;
     flaw = footpoint_paper_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
-        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_PRECISE_PROMISE, 2, FOOTPOINT_PAPER_GREGORY_PRECISE_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
+        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_PRECISE_PROMISE, 1, FOOTPOINT_PAPER_GREGORY_PRECISE_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
                                               gap);
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
 }
@@ -6506,7 +6506,7 @@ FOOTPOINT_FN int footpoint_paper_gregory_precise_closest_of(size_t n, const doub
  *   poles:          t406: proved free of zeros, |t406| >= 9.9e-07 (as computed, too)
  *   poles:          t410: proved free of zeros, |t410| >= 0.24 (as computed, too)
  *   poles:          t492: no zero where the region's requires hold, by no proved margin
- *   rounding:       xi 1.9e-11 sampled; eta 5.7e-11 sampled (1000000 points)
+ *   rounding:       xi 7.7e-11 sampled; eta 2.8e-09 sampled (1000000 points)
  *   statuses:       proved on 99.99 % of 30000 samples of heldout_random, FOOTPOINT_UNPROVED on the others
  *   found_both:     seed 1 generations 5 islands 2
  *   training_both:  genes 137 mean 3.797e-04
@@ -6670,7 +6670,7 @@ FOOTPOINT_FN int footpoint_paper_gregory_exact_closest_of(size_t n, const double
  *   poles:          t508: proved free of zeros, |t508| >= 0.00016; status if computed as 0 or not finite
  *   poles:          t555: proved free of zeros, |t555| >= 9.9e-07 (as computed, too)
  *   poles:          of 2 more denominators, 2 are proved free of zeros, 1 of these as computed, too
- *   rounding:       xi 2.5e-11 sampled; eta 4.3e-09 sampled (1000000 points)
+ *   rounding:       xi 2.3e-09 sampled; eta 3.2e-09 sampled (1000000 points)
  *   statuses:       proved on 65.23 % of 30000 samples of heldout_random, FOOTPOINT_UNPROVED on the others
  *   found_both:     a seed, composed of the frame's functions or given
  *   training_both:  genes 74 mean 1.834e-04

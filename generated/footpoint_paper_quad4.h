@@ -1725,7 +1725,7 @@ FOOTPOINT_PART unsigned long long footpoint_paper_quad4_program3_detail(const do
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  88395284d6aec6498e745d7075844bf2889a3031b10b3df77df0cba8280e23db
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
- *   rounding:       xi 1.6e-10 sampled; eta 1.7e-10 sampled (1000000 points)
+ *   rounding:       xi 3.4e-10 sampled; eta 3.4e-10 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.404e-02; eta genes 1 mean 3.605e-02
  *   heldout:        xi 2.096e-02 1.209e-01 2.546e+00, eta 3.105e-02 1.763e-01 1.956e+00, of 439702 samples
@@ -1802,7 +1802,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_checked_n(size_t n, const double
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  7abd5b7078ac28e6e8e1c74b5b301b6e308720c58fb220e75a616283fbd4ef3c
  *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 2e-14)
- *   rounding:       xi 4.4e-13 sampled; eta 1.4e-12 sampled (1000000 points)
+ *   rounding:       xi 2.6e-11 sampled; eta 3.1e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 100 islands 2
  *   training_both:  genes 14 mean 2.058e-02
  *   heldout:        xi 1.681e-02 1.229e-01 6.373e-01, eta 2.029e-02 1.478e-01 7.901e-01, of 439702 samples
@@ -1879,7 +1879,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fast_checked_n(size_t n, const double 
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  21ac414bf3c3a7f9df597d22612500e5339cd079e11618b66cea8f09505ac761
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
- *   rounding:       xi 3.5e-11 sampled; eta 7.4e-12 sampled (1000000 points)
+ *   rounding:       xi 1.4e-08 sampled; eta 1.7e-08 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 8.620e-03; eta genes 1 mean 1.241e-02
  *   heldout:        xi 9.601e-03 9.351e-02 7.583e-01, eta 1.278e-02 1.333e-01 8.053e-01, of 439702 samples
@@ -1958,7 +1958,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_taper_checked_n(size_t n, const double
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
  *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 8.7e-09; status if computed as 0 or not
  *     finite
- *   rounding:       xi 2.1e-07 sampled; eta 2.6e-07 sampled (1000000 points)
+ *   rounding:       xi 2.7e-08 sampled; eta 1.4e-08 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 8.694e-03; eta genes 1 mean 1.217e-02
  *   heldout:        xi 3.625e-03 5.705e-02 2.370e+00, eta 4.110e-03 7.136e-02 2.686e+00, of 439702 samples
@@ -2038,7 +2038,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_checked_n(size_t n, const doubl
  *   poles:          t17 * t18 - 0.8464976 * t16 * t16: proved free of zeros, |...| >= 0.0014 (rounding error <=
  *     3e-14)
  *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 5.1e-08)
- *   rounding:       xi 1.6e-11 sampled; eta 1.2e-11 sampled (1000000 points)
+ *   rounding:       xi 1.8e-11 sampled; eta 1.1e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 146 mean 2.990e-03
  *   heldout:        xi 2.477e-03 4.084e-02 9.873e-01, eta 2.856e-03 4.698e-02 9.259e-01, of 439702 samples
@@ -2117,7 +2117,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_checked_n(size_t n, const doubl
  *   genome_sha256:  fd5f491dee688a15f66aaad3b570998e5d91a5111efbd0b4a1d54e05fce9da66
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.2e-14)
  *   poles:          t43: proved free of zeros, |t43| >= 0.0001; status if computed as 0 or not finite
- *   rounding:       xi 4.7e-10 sampled; eta 3.8e-09 sampled (1000000 points)
+ *   rounding:       xi 1.5e-08 sampled; eta 7.4e-08 sampled (1000000 points)
  *   found_both:     seed 1 generations 60 islands 4
  *   training_both:  genes 194 mean 1.692e-03
  *   heldout:        xi 7.968e-04 1.231e-02 1.000e+00, eta 9.345e-04 1.205e-02 9.988e-01, of 439702 samples
@@ -2197,7 +2197,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_newton_checked_n(size_t n, const doubl
  *   poles:          divisor of t19: proved free of zeros, |...| >= 0.00043 (rounding error <= 3.1e-14)
  *   poles:          t30: proved free of zeros, |t30| >= 0.001; status if computed as 0 or not finite
  *   poles:          t44: proved free of zeros, |t44| >= 2.8e-05; status if computed as 0 or not finite
- *   rounding:       xi 2.7e-11 sampled; eta 2.8e-12 sampled (1000000 points)
+ *   rounding:       xi 4.9e-11 sampled; eta 7.3e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 194 mean 6.149e-04
  *   heldout:        xi 4.861e-04 6.338e-03 3.677e-01, eta 6.633e-04 6.928e-03 3.811e-01, of 439702 samples
@@ -2277,7 +2277,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_medium_checked_n(size_t n, const doubl
  *   poles:          t19 - t18 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 3.1e-14)
  *   poles:          t44: proved free of zeros, |t44| >= 0.002; status if computed as 0 or not finite
  *   poles:          t55: proved free of zeros, |t55| >= 0.00035; status if computed as 0 or not finite
- *   rounding:       xi 1.7e-08 sampled; eta 1.1e-07 sampled (1000000 points)
+ *   rounding:       xi 0.0011 sampled; eta 0.00093 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 284 mean 2.156e-04
  *   heldout:        xi 2.264e-04 2.251e-03 1.706e-01, eta 3.391e-04 2.737e-03 2.152e-01, of 439702 samples
@@ -2358,7 +2358,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_checked_n(size_t n, const dou
  *   poles:          t33: proved free of zeros, |t33| >= 0.0016; status if computed as 0 or not finite
  *   poles:          t47: proved free of zeros, |t47| >= 0.00031; status if computed as 0 or not finite
  *   poles:          t64: proved free of zeros, |t64| >= 0.00054; status if computed as 0 or not finite
- *   rounding:       xi 3.1e-09 sampled; eta 8.1e-10 sampled (1000000 points)
+ *   rounding:       xi 9.7e-11 sampled; eta 4.7e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 317 mean 1.059e-04
  *   heldout:        xi 1.011e-04 5.032e-05 7.341e-01, eta 1.484e-04 5.822e-05 9.362e-01, of 439702 samples
@@ -2439,7 +2439,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fine_checked_n(size_t n, const double 
  *   poles:          t47: proved free of zeros, |t47| >= 0.00045; status if computed as 0 or not finite
  *   poles:          t65: proved free of zeros, |t65| >= 1.8e-05; status if computed as 0 or not finite
  *   poles:          t80: proved free of zeros, |t80| >= 2.1e-07; status if computed as 0 or not finite
- *   rounding:       xi 2.1e-10 sampled; eta 6.8e-10 sampled (1000000 points)
+ *   rounding:       xi 3.4e-09 sampled; eta 2e-09 sampled (1000000 points)
  *   found_both:     seed 1 generations 60 islands 4
  *   training_both:  genes 443 mean 3.151e-05
  *   heldout:        xi 2.610e-05 3.448e-08 2.616e-02, eta 3.867e-05 4.027e-08 7.031e-02, of 439702 samples
@@ -2522,7 +2522,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_precise_checked_n(size_t n, const doub
  *   poles:          t55: proved free of zeros, |t55| >= 0.0036; status if computed as 0 or not finite
  *   poles:          t66: proved free of zeros, |t66| >= 0.00048; status if computed as 0 or not finite
  *   poles:          t82: proved free of zeros, |t82| >= 0.00043; status if computed as 0 or not finite
- *   rounding:       xi 5.5e-11 sampled; eta 2.5e-11 sampled (1000000 points)
+ *   rounding:       xi 2.4e-09 sampled; eta 2e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 491 mean 1.023e-05
  *   heldout:        xi 2.335e-05 7.319e-10 4.006e-02, eta 3.535e-05 9.033e-10 2.715e-02, of 439702 samples
@@ -2605,7 +2605,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_checked_n(size_t n, const dou
  *   poles:          t63: proved free of zeros, |t63| >= 5.2e-05; status if computed as 0 or not finite
  *   poles:          t80: proved free of zeros, |t80| >= 0.00047; status if computed as 0 or not finite
  *   poles:          t95: proved free of zeros, |t95| >= 6.6e-06; status if computed as 0 or not finite
- *   rounding:       xi 1.9e-09 sampled; eta 1.2e-10 sampled (1000000 points)
+ *   rounding:       xi 1.8e-09 sampled; eta 1.9e-09 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 593 mean 2.217e-05
  *   heldout:        xi 6.308e-06 2.776e-15 1.670e-02, eta 8.835e-06 2.887e-15 1.633e-02, of 439702 samples
@@ -2686,7 +2686,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_full_checked_n(size_t n, const double 
  *   poles:          t44: proved free of zeros, |t44| >= 0.00014; status if computed as 0 or not finite
  *   poles:          t48: proved free of zeros, |t48| >= 0.0018; status if computed as 0 or not finite
  *   poles:          t60: proved free of zeros, |t60| >= 7.4e-05; status if computed as 0 or not finite
- *   rounding:       xi 1.4e-10 sampled; eta 1.4e-09 sampled (1000000 points)
+ *   rounding:       xi 2.2e-11 sampled; eta 3.5e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 371 mean 6.264e-05
  *   heldout:        xi 6.111e-05 3.568e-05 7.079e-02, eta 9.298e-05 3.592e-05 9.978e-02, of 439702 samples
@@ -2769,7 +2769,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program1_checked_n(size_t n, const dou
  *   poles:          t47: proved free of zeros, |t47| >= 0.0018; status if computed as 0 or not finite
  *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05; status if computed as 0 or not finite
  *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05; status if computed as 0 or not finite
- *   rounding:       xi 2.7e-09 sampled; eta 4.3e-10 sampled (1000000 points)
+ *   rounding:       xi 3.3e-09 sampled; eta 6.8e-09 sampled (1000000 points)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 503 mean 3.055e-05
  *   heldout:        xi 1.502e-05 1.841e-09 3.676e-02, eta 2.268e-05 2.179e-09 2.537e-02, of 439702 samples
@@ -2853,7 +2853,7 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program2_checked_n(size_t n, const dou
  *   poles:          t59: proved free of zeros, |t59| >= 7.4e-05; status if computed as 0 or not finite
  *   poles:          t75: proved free of zeros, |t75| >= 1.9e-05; status if computed as 0 or not finite
  *   poles:          t91: proved free of zeros, |t91| >= 0.00047; status if computed as 0 or not finite
- *   rounding:       xi 6e-08 sampled; eta 7e-10 sampled (1000000 points)
+ *   rounding:       xi 3.7e-09 sampled; eta 1.7e-06 sampled (1000000 points)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 635 mean 2.418e-05
  *   heldout:        xi 2.735e-06 7.772e-16 4.586e-03, eta 3.965e-06 7.772e-16 5.627e-03, of 439702 samples

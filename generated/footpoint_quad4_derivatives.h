@@ -602,8 +602,8 @@ FOOTPOINT_PART int footpoint_detail_write_turns(const struct footpoint_detail_tu
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  bb5005fe31fb3596d4886d7c660c5b908ce839dc286cb5924955e7d4a1a9a050
  *   poles:          t21: proved free of zeros, |t21| >= 0.24 (rounding error <= 1.5e-14)
- *   rounding:       phi <= 3.7e-16 proved, 3.4e-16 sampled; r_xi <= 4.2e-16 proved, 2.7e-16 sampled; r_eta <= 4.3e-16
- *     proved, 2.7e-16 sampled; normal <= 8.2e-15 proved, 2.7e-16 sampled; gap <= 2.9e-14 proved, 5.7e-16 sampled
+ *   rounding:       phi <= 3.7e-16 proved, 3.5e-16 sampled; r_xi <= 4.2e-16 proved, 2.9e-16 sampled; r_eta <= 4.3e-16
+ *     proved, 2.7e-16 sampled; normal <= 8.2e-15 proved, 2.8e-16 sampled; gap <= 2.9e-14 proved, 8e-16 sampled
  *     (1000000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
@@ -777,7 +777,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[15], \
  *   genome_sha256:  2e8069eef4a4d8976154f5b1e915fd2d4edfe21f5039af2aee8aa92db861bbdb
  *   poles:          none, nothing is divided by
  *   rounding:       phi <= 3.1e-16 proved, 2.9e-16 sampled; phi_xi <= 5.9e-17 proved, 5.6e-17 sampled; phi_eta <=
- *     5.9e-17 proved, 5.6e-17 sampled; r_xi <= 4.2e-16 proved, 2.7e-16 sampled; r_eta <= 4.3e-16 proved, 2.6e-16
+ *     5.9e-17 proved, 5.6e-17 sampled; r_xi <= 4.2e-16 proved, 2.9e-16 sampled; r_eta <= 4.3e-16 proved, 2.6e-16
  *     sampled; r_xixi <= 0 proved, 0 sampled; r_xieta <= 1.4e-16 proved, 1.2e-16 sampled; r_etaeta <= 0 proved, 0
  *     sampled (1000000 points)
  *   gives:          phi[k] shape functions, phi_xi, phi_eta their slopes, r_xi, r_eta tangents, r_xixi, r_xieta,
@@ -1128,9 +1128,9 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
  *   genome_sha256:  417cebd8c42e228a1d509405972257aaee161f4b660fc349a835a4b0fba54e66
  *   poles:          t27: proved free of zeros, |t27| >= 0.029 (rounding error <= 1.6e-14)
  *   poles:          t30: proved free of zeros, |t30| >= 1.5 (rounding error <= 6.1e-13)
- *   rounding:       phi <= 3.7e-16 proved, 3.5e-16 sampled; r_xi <= 4.2e-16 proved, 2.7e-16 sampled; r_eta <= 4.3e-16
- *     proved, 2.7e-16 sampled; normal 3e-16 sampled; gap <= 8.4e-14 proved, 8.7e-16 sampled; d_xi 8.5e-14 sampled;
- *     d_eta 8.5e-14 sampled; d_gap <= 3e-14 proved, 7.2e-16 sampled (1000000 points)
+ *   rounding:       phi <= 3.7e-16 proved, 3.5e-16 sampled; r_xi <= 4.2e-16 proved, 2.9e-16 sampled; r_eta <= 4.3e-16
+ *     proved, 2.7e-16 sampled; normal 2.9e-16 sampled; gap <= 8.4e-14 proved, 1e-15 sampled; d_xi 7.4e-14 sampled;
+ *     d_eta 8.2e-14 sampled; d_gap <= 3e-14 proved, 7.1e-16 sampled (1000000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -1365,8 +1365,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[15], \
  *   genome_sha256:  68dbb235f890a9607b37919e74eaf25ba8f47f1059f61e1219cfdba5f57c543f
  *   poles:          t25: proved free of zeros, |t25| >= 0.0063 (rounding error <= 3.8e-15)
  *   poles:          t32: proved free of zeros, |t32| >= 1.5 (rounding error <= 6.1e-13)
- *   rounding:       gap 9.6e-16 sampled; d_xi 9.5e-14 sampled; d_eta 9.5e-14 sampled; d_gap <= 4.2e-14 proved,
- *     6.9e-16 sampled; d_normal 5.7e-14 sampled; hessian 7.9e-14 sampled (1000000 points)
+ *   rounding:       gap 8.9e-16 sampled; d_xi 7.8e-14 sampled; d_eta 9e-14 sampled; d_gap <= 3.3e-14 proved, 6.5e-16
+ *     sampled; d_normal 6.8e-14 sampled; hessian 8.1e-14 sampled (1000000 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[15 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

@@ -4017,7 +4017,7 @@ FOOTPOINT_PART unsigned long long footpoint_quad8_full_detail(const double xA[3]
  *   proof:          equal to the genome at 2 random points modulo a 128-bit prime: chance of error below 2^-112
  *   genome_sha256:  9441397baa05e4ab30c58d5d8b609be4b6f9cc3652d04e86c0244ec334c0ba3c
  *   poles:          t17 * t17 - t15 * t16: proved free of zeros, |...| >= 16 (rounding error <= 9.9e-13)
- *   rounding:       xi <= 4.4e-13 proved, 9.4e-15 sampled; eta <= 1.9e-13 proved, 5.3e-15 sampled (1000000 points)
+ *   rounding:       xi <= 4.4e-13 proved, 1.7e-14 sampled; eta <= 1.9e-13 proved, 8.4e-15 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 95 mean 2.048e-02
  *   heldout:        xi 2.049e-02 1.209e-01 7.309e-01, eta 2.057e-02 1.214e-01 6.429e-01, of 200000 samples and
@@ -4165,7 +4165,7 @@ FOOTPOINT_FN int footpoint_quad8_fast_closest_of(size_t n, const double *const *
  *   genome_sha256:  33335c468e98a4dbb3c2e949c154214b28274620b3890dc50f30aef8c4bca7f0
  *   poles:          t30 * t31 - t29 * t29: proved free of zeros, |...| >= 16 (rounding error <= 9.9e-13)
  *   poles:          t73 * t73 - t75 * t74: proved free of zeros, |...| >= 1.2 (rounding error <= 8.7e-05)
- *   rounding:       xi 2.8e-14 sampled; eta 8.9e-15 sampled (1000000 points)
+ *   rounding:       xi 3.4e-14 sampled; eta 3.4e-14 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 59 mean 1.093e-03
  *   heldout:        xi 1.097e-03 1.353e-02 4.529e-01, eta 1.118e-03 1.283e-02 4.597e-01, of 200000 samples and
@@ -4317,7 +4317,7 @@ FOOTPOINT_FN int footpoint_quad8_coarse_closest_of(size_t n, const double *const
  *   poles:          t76 * t77 - t75 * t75: proved free of zeros, |...| >= 1.6 (rounding error <= 4.3e-05)
  *   poles:          t111 * t111 - t110 * t112: proved free of zeros, |...| >= 0.52; status if computed as 0 or not
  *     finite
- *   rounding:       xi 3.1e-14 sampled; eta 1.9e-14 sampled (1000000 points)
+ *   rounding:       xi 8.5e-14 sampled; eta 2.1e-14 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 9.159e-05; eta genes 1 mean 9.528e-05
  *   heldout:        xi 9.135e-05 1.284e-03 6.696e-01, eta 9.425e-05 1.279e-03 1.013e+00, of 200000 samples and
@@ -4469,7 +4469,7 @@ FOOTPOINT_FN int footpoint_quad8_medium_closest_of(size_t n, const double *const
  *   poles:          t84 * t85 - t83 * t83: proved free of zeros, |...| >= 0.74 (rounding error <= 7.5e-05)
  *   poles:          t128 * t129 - t127 * t127: proved free of zeros, |...| >= 0.68; status if computed as 0 or not
  *     finite
- *   rounding:       xi 8.5e-14 sampled; eta 8.4e-15 sampled (1000000 points)
+ *   rounding:       xi 2.8e-14 sampled; eta 5.2e-15 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 101 mean 6.936e-06
  *   heldout:        xi 6.765e-06 3.672e-05 1.954e-01, eta 7.106e-06 3.631e-05 2.557e-01, of 200000 samples and
@@ -4627,7 +4627,7 @@ FOOTPOINT_FN int footpoint_quad8_balanced_closest_of(size_t n, const double *con
  *     finite
  *   poles:          t136 * t140 - t139 * t139: proved free of zeros, |...| >= 0.62; status if computed as 0 or not
  *     finite
- *   rounding:       xi 5.8e-14 sampled; eta 5.2e-15 sampled (1000000 points)
+ *   rounding:       xi 1.5e-14 sampled; eta 9.5e-15 sampled (1000000 points)
  *   found_both:     a seed, composed of the frame's functions or given
  *   training_both:  genes 38 mean 1.548e-06
  *   heldout:        xi 1.145e-06 3.568e-06 5.947e-01, eta 1.269e-06 3.569e-06 3.103e-01, of 200000 samples and
@@ -4779,7 +4779,7 @@ FOOTPOINT_FN int footpoint_quad8_fine_closest_of(size_t n, const double *const *
  *     finite
  *   poles:          t147 * t151 - t150 * t150: proved free of zeros, |...| >= 0.49; status if computed as 0 or not
  *     finite
- *   rounding:       xi 4e-13 sampled; eta 1.9e-13 sampled (1000000 points)
+ *   rounding:       xi 4.5e-14 sampled; eta 1.9e-13 sampled (1000000 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 146 mean 2.627e-07
  *   heldout:        xi 4.440e-07 1.734e-07 2.014e-01, eta 4.553e-07 1.639e-07 3.128e-01, of 200000 samples and
@@ -4942,7 +4942,7 @@ FOOTPOINT_FN int footpoint_quad8_accurate_closest_of(size_t n, const double *con
  *     finite
  *   poles:          t203 * t203 + t200 * t204: proved free of zeros, |...| >= 0.17; status if computed as 0 or not
  *     finite
- *   rounding:       xi 4.4e-14 sampled; eta 1.9e-14 sampled (1000000 points)
+ *   rounding:       xi 2.2e-14 sampled; eta 9.3e-15 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 71 mean 2.035e-12
  *   heldout:        xi 1.181e-09 4.441e-16 6.074e+00, eta 1.346e-09 4.996e-16 1.872e+00, of 200000 samples and
@@ -5102,7 +5102,7 @@ FOOTPOINT_FN int footpoint_quad8_sharp_closest_of(size_t n, const double *const 
  *     finite
  *   poles:          t260 * t260 - t262 * t258: proved free of zeros, |...| >= 0.14; status if computed as 0 or not
  *     finite
- *   rounding:       xi 1.8e-14 sampled; eta 1.2e-14 sampled (1000000 points)
+ *   rounding:       xi 2.7e-14 sampled; eta 3e-14 sampled (1000000 points)
  *   exact:          nothing evolved, the frame's value is right to rounding
  *   training:       xi genes 1 mean 6.731e-17; eta genes 1 mean 6.657e-17
  *   heldout:        xi 1.319e-12 4.441e-16 5.876e-05, eta 1.527e-12 4.441e-16 6.830e-05, of 200000 samples and

@@ -604,8 +604,8 @@ FOOTPOINT_PART int footpoint_detail_write_turns(const struct footpoint_detail_tu
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  69a9f3aff81f67f868f9a458bd4fa31e14a151896d68b6597369303b856cb84a
  *   poles:          t56: proved free of zeros, |t56| >= 0.099 (rounding error <= 9.5e-12)
- *   rounding:       phi <= 7.5e-16 proved, 5.1e-16 sampled; r_xi <= 4.9e-15 proved, 3.3e-15 sampled; r_eta <= 5.2e-15
- *     proved, 3.2e-15 sampled; normal 2.8e-15 sampled; gap 7.4e-15 sampled (1000000 points)
+ *   rounding:       phi <= 7.5e-16 proved, 5e-16 sampled; r_xi <= 4.9e-15 proved, 3.3e-15 sampled; r_eta <= 5.2e-15
+ *     proved, 3.4e-15 sampled; normal 3e-15 sampled; gap 7.3e-15 sampled (1000000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -805,9 +805,9 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  2cc7eb36e9be50c5475c7895a20713f794d1b554d37bf699ef229ee5fcdf9eec
  *   poles:          none, nothing is divided by
- *   rounding:       phi <= 7.6e-16 proved, 5.6e-16 sampled; phi_xi <= 5.8e-16 proved, 4.1e-16 sampled; phi_eta <=
- *     5.8e-16 proved, 4.7e-16 sampled; r_xi <= 3.1e-15 proved, 1.5e-15 sampled; r_eta <= 3.1e-15 proved, 1.4e-15
- *     sampled; r_xixi <= 2e-15 proved, 1.3e-15 sampled; r_xieta <= 2.2e-15 proved, 1.1e-15 sampled; r_etaeta <= 2e-15
+ *   rounding:       phi <= 7.6e-16 proved, 5.9e-16 sampled; phi_xi <= 5.8e-16 proved, 4.1e-16 sampled; phi_eta <=
+ *     5.8e-16 proved, 4.7e-16 sampled; r_xi <= 3.1e-15 proved, 1.7e-15 sampled; r_eta <= 3.1e-15 proved, 1.4e-15
+ *     sampled; r_xixi <= 2e-15 proved, 1.2e-15 sampled; r_xieta <= 2.2e-15 proved, 1.3e-15 sampled; r_etaeta <= 2e-15
  *     proved, 1.2e-15 sampled (1000000 points)
  *   gives:          phi[k] shape functions, phi_xi, phi_eta their slopes, r_xi, r_eta tangents, r_xixi, r_xieta,
  *     r_etaeta second derivatives
@@ -1198,9 +1198,9 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
  *   genome_sha256:  938619cc19a696bbe09ea5e2f215e8d9a2c3c93fe7a3c677946fb4a3b143bbfc
  *   poles:          t93: proved free of zeros, |t93| >= 1.5 (rounding error <= 6e-09)
  *   poles:          t95: proved free of zeros, |t95| >= 1.5 (rounding error <= 2e-09)
- *   rounding:       phi <= 7.5e-16 proved, 5.1e-16 sampled; r_xi <= 7.5e-15 proved, 4.6e-15 sampled; r_eta <= 7.7e-15
- *     proved, 4.3e-15 sampled; normal 4.2e-15 sampled; gap 8.3e-15 sampled; d_xi 1.5e-11 sampled; d_eta 1.1e-11
- *     sampled; d_gap 4.8e-15 sampled (1000000 points)
+ *   rounding:       phi <= 7.5e-16 proved, 5.2e-16 sampled; r_xi <= 7.5e-15 proved, 4.5e-15 sampled; r_eta <= 7.7e-15
+ *     proved, 4.7e-15 sampled; normal 7.1e-15 sampled; gap 7.5e-15 sampled; d_xi 4.4e-12 sampled; d_eta 1.1e-11
+ *     sampled; d_gap 9.6e-15 sampled (1000000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -1515,8 +1515,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
  *   genome_sha256:  b7cdad95cf6ffb0195387420bb66c0a97ba72768f51fbc7ae31b28c1890c3227
  *   poles:          t84: proved free of zeros, |t84| >= 25 (rounding error <= 4.7e-08)
  *   poles:          t90: proved free of zeros, |t90| >= 25 (rounding error <= 1.5e-07)
- *   rounding:       gap 4.6e-15 sampled; d_xi 1.7e-11 sampled; d_eta 1.1e-11 sampled; d_gap 1.8e-15 sampled; d_normal
- *     1.4e-11 sampled; hessian 3.4e-11 sampled (1000000 points)
+ *   rounding:       gap 7.6e-15 sampled; d_xi 7.5e-12 sampled; d_eta 1.4e-11 sampled; d_gap 1.1e-14 sampled; d_normal
+ *     1.8e-11 sampled; hessian 2.9e-11 sampled (1000000 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[27 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

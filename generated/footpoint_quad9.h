@@ -4057,7 +4057,7 @@ FOOTPOINT_PART unsigned long long footpoint_quad9_full_detail(const double xA[3]
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  285b00dbf25f5c7a481fce2d9ce3cb21f453837b8c1e67a00f0b011f1f24ec47
  *   poles:          t8 * t9 - t7 * t7: proved free of zeros, |...| >= 16 (rounding error <= 9.9e-13)
- *   rounding:       xi <= 1.2e-13 proved, 1.1e-14 sampled; eta <= 7.1e-14 proved, 4.7e-15 sampled (1000000 points)
+ *   rounding:       xi <= 1.2e-13 proved, 1.3e-14 sampled; eta <= 7.1e-14 proved, 5.2e-15 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 5.838e-02; eta genes 1 mean 5.862e-02
  *   heldout:        xi 5.967e-02 2.962e-01 8.268e-01, eta 5.971e-02 2.973e-01 7.407e-01, of 200000 samples and
@@ -4206,7 +4206,7 @@ FOOTPOINT_FN int footpoint_quad9_fast_closest_of(size_t n, const double *const *
  *   genome_sha256:  16de37b5fd790e532815e0364117f847402bccf560fd0478bea88f3cc14313b0
  *   poles:          t9 * t8 - t7 * t7: proved free of zeros, |...| >= 16 (rounding error <= 9.9e-13)
  *   poles:          t82: proved free of zeros, |t82| >= 0.99 (rounding error <= 0.00019)
- *   rounding:       xi 2.8e-14 sampled; eta 1.1e-14 sampled (1000000 points)
+ *   rounding:       xi 6.8e-14 sampled; eta 6e-14 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 74 mean 8.551e-04
  *   heldout:        xi 8.832e-04 1.091e-02 5.390e-01, eta 8.806e-04 1.068e-02 7.907e-01, of 200000 samples and
@@ -4359,7 +4359,7 @@ FOOTPOINT_FN int footpoint_quad9_coarse_closest_of(size_t n, const double *const
  *   poles:          t85 * t86 - t84 * t84: proved free of zeros, |...| >= 1.4 (rounding error <= 0.00062)
  *   poles:          t126 * t127 - t125 * t125: proved free of zeros, |...| >= 0.81; status if computed as 0 or not
  *     finite
- *   rounding:       xi 3e-14 sampled; eta 8.3e-15 sampled (1000000 points)
+ *   rounding:       xi 5.7e-14 sampled; eta 3e-14 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.326e-04; eta genes 1 mean 1.274e-04
  *   heldout:        xi 1.294e-04 1.932e-03 4.753e-01, eta 1.317e-04 1.895e-03 6.353e-01, of 200000 samples and
@@ -4512,7 +4512,7 @@ FOOTPOINT_FN int footpoint_quad9_medium_closest_of(size_t n, const double *const
  *   poles:          t92 * t93 - t91 * t91: proved free of zeros, |...| >= 0.93 (rounding error <= 0.00084)
  *   poles:          t143 * t142 - t141 * t146: proved free of zeros, |...| >= 0.43; status if computed as 0 or not
  *     finite
- *   rounding:       xi 5.4e-14 sampled; eta 2.2e-14 sampled (1000000 points)
+ *   rounding:       xi 1.5e-13 sampled; eta 3.6e-14 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 92 mean 9.092e-06
  *   heldout:        xi 1.028e-05 7.132e-05 4.920e-01, eta 1.080e-05 6.923e-05 3.847e-01, of 200000 samples and
@@ -4671,7 +4671,7 @@ FOOTPOINT_FN int footpoint_quad9_balanced_closest_of(size_t n, const double *con
  *     finite
  *   poles:          t159 * t163 - t162 * t162: proved free of zeros, |...| >= 0.43; status if computed as 0 or not
  *     finite
- *   rounding:       xi 5.8e-14 sampled; eta 1e-14 sampled (1000000 points)
+ *   rounding:       xi 1.2e-13 sampled; eta 4e-14 sampled (1000000 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 62 mean 8.922e-07
  *   heldout:        xi 1.697e-06 3.086e-06 1.141e+02, eta 1.840e-06 3.557e-06 1.269e+02, of 200000 samples and
@@ -4825,7 +4825,7 @@ FOOTPOINT_FN int footpoint_quad9_fine_closest_of(size_t n, const double *const *
  *     finite
  *   poles:          t175 * t171 - t174 * t174: proved free of zeros, |...| >= 0.28; status if computed as 0 or not
  *     finite
- *   rounding:       xi 5.8e-14 sampled; eta 1.4e-13 sampled (1000000 points)
+ *   rounding:       xi 2.2e-13 sampled; eta 1.1e-13 sampled (1000000 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 146 mean 2.860e-07
  *   heldout:        xi 1.201e-06 3.317e-07 3.366e+02, eta 1.353e-06 3.240e-07 2.755e+02, of 200000 samples and
@@ -4989,7 +4989,7 @@ FOOTPOINT_FN int footpoint_quad9_accurate_closest_of(size_t n, const double *con
  *     finite
  *   poles:          t236 * t232 - t235 * t235: proved free of zeros, |...| >= 0.19; status if computed as 0 or not
  *     finite
- *   rounding:       xi 6.8e-14 sampled; eta 1.2e-14 sampled (1000000 points)
+ *   rounding:       xi 1.5e-13 sampled; eta 3.4e-14 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.539e-09; eta genes 1 mean 1.258e-09
  *   heldout:        xi 3.236e-08 5.551e-16 1.352e+02, eta 3.787e-08 6.661e-16 2.724e+02, of 200000 samples and
@@ -5150,7 +5150,7 @@ FOOTPOINT_FN int footpoint_quad9_sharp_closest_of(size_t n, const double *const 
  *     finite
  *   poles:          2.0 * (t307 * t303 - t305 * t305): proved free of zeros, |...| >= 0.084; status if computed as 0
  *     or not finite
- *   rounding:       xi 6.3e-14 sampled; eta 6e-14 sampled (1000000 points)
+ *   rounding:       xi 8.6e-14 sampled; eta 2.7e-14 sampled (1000000 points)
  *   exact:          nothing evolved, the frame's value is right to rounding
  *   training:       xi genes 1 mean 6.485e-17; eta genes 1 mean 6.270e-17
  *   heldout:        xi 1.790e-10 3.331e-16 3.315e+05, eta 1.269e-10 4.441e-16 2.453e+05, of 200000 samples and

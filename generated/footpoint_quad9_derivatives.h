@@ -604,8 +604,8 @@ FOOTPOINT_PART int footpoint_detail_write_turns(const struct footpoint_detail_tu
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  fae6e7af9b3bafc9a402bd96d933e5d06f86b21bbe64c76c284a6d0daffabdd6
  *   poles:          t62: proved free of zeros, |t62| >= 0.099 (rounding error <= 6.5e-10)
- *   rounding:       phi <= 7.5e-16 proved, 5.8e-16 sampled; r_xi <= 7.6e-15 proved, 4.8e-15 sampled; r_eta <= 7.6e-15
- *     proved, 5.2e-15 sampled; normal 5.6e-15 sampled; gap 7.5e-15 sampled (1000000 points)
+ *   rounding:       phi <= 7.5e-16 proved, 5.8e-16 sampled; r_xi <= 7.6e-15 proved, 4e-15 sampled; r_eta <= 7.6e-15
+ *     proved, 5.1e-15 sampled; normal 8.5e-15 sampled; gap 1.1e-14 sampled (1000000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -815,8 +815,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[30], \
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  69da1f93fd9e69fb1a323bc733e702c945b07cd0164ec6c7185cfd07a82d441c
  *   poles:          none, nothing is divided by
- *   rounding:       phi <= 6.8e-16 proved, 4.8e-16 sampled; phi_xi <= 7.3e-16 proved, 5.6e-16 sampled; phi_eta <=
- *     7.6e-16 proved, 5.8e-16 sampled; r_xi <= 5.7e-15 proved, 2e-15 sampled; r_eta <= 5.2e-15 proved, 2.7e-15
+ *   rounding:       phi <= 6.8e-16 proved, 5.2e-16 sampled; phi_xi <= 7.3e-16 proved, 5.6e-16 sampled; phi_eta <=
+ *     7.6e-16 proved, 5.7e-16 sampled; r_xi <= 5.7e-15 proved, 2.1e-15 sampled; r_eta <= 5.2e-15 proved, 2.9e-15
  *     sampled; r_xixi <= 3.1e-15 proved, 1.7e-15 sampled; r_xieta <= 7.7e-15 proved, 4.4e-15 sampled; r_etaeta <=
  *     3.8e-15 proved, 2e-15 sampled (1000000 points)
  *   gives:          phi[k] shape functions, phi_xi, phi_eta their slopes, r_xi, r_eta tangents, r_xixi, r_xieta,
@@ -1225,9 +1225,9 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
  *   genome_sha256:  76bcd88d548f4ee8de04e9d8167cde7a67e2eb753b1b00fd910f8508b1890f73
  *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 3.6e-09)
  *   poles:          t97: proved free of zeros, |t97| >= 0.099 (rounding error <= 1.3e-09)
- *   rounding:       phi <= 7.5e-16 proved, 5.6e-16 sampled; r_xi <= 7.9e-15 proved, 4e-15 sampled; r_eta <= 7e-15
- *     proved, 3.4e-15 sampled; normal 9.8e-15 sampled; gap 5.5e-15 sampled; d_xi 8.1e-12 sampled; d_eta 8.6e-12
- *     sampled; d_gap 1.3e-14 sampled (1000000 points)
+ *   rounding:       phi <= 7.5e-16 proved, 6e-16 sampled; r_xi <= 7.9e-15 proved, 4.7e-15 sampled; r_eta <= 7e-15
+ *     proved, 3.8e-15 sampled; normal 1.4e-14 sampled; gap 8e-15 sampled; d_xi 6.6e-11 sampled; d_eta 5.8e-11
+ *     sampled; d_gap 1.8e-14 sampled (1000000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -1564,8 +1564,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[30], \
  *   genome_sha256:  6af678a44b143dbc49e4811e6b11af43980bb7e3ea175a02ff668f92d52c6208
  *   poles:          t104: proved free of zeros, |t104| >= 25 (rounding error <= 3.4e-07)
  *   poles:          t110: proved free of zeros, |t110| >= 25 (rounding error <= 1.7e-06)
- *   rounding:       gap 4.4e-15 sampled; d_xi 5.2e-11 sampled; d_eta 4.8e-11 sampled; d_gap 2e-15 sampled; d_normal
- *     7.2e-11 sampled; hessian 1.2e-10 sampled (1000000 points)
+ *   rounding:       gap 4.9e-15 sampled; d_xi 1.6e-10 sampled; d_eta 1.2e-10 sampled; d_gap 6.7e-15 sampled; d_normal
+ *     1.4e-10 sampled; hessian 3.2e-10 sampled (1000000 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[30 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

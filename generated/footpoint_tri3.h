@@ -1318,7 +1318,7 @@ FOOTPOINT_PART unsigned long long footpoint_tri3_exact_detail(const double xA[3]
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  329f61fcb105efc8fbfed812967149556802e114d8556ec509b4e17939fe47a8
  *   poles:          t8 * t9 - t7 * t7: proved free of zeros, |...| >= 1 (rounding error <= 1.8e-14)
- *   rounding:       xi <= 1.2e-14 proved, 5.8e-15 sampled; eta <= 8.5e-15 proved, 2.7e-15 sampled (1000000 points)
+ *   rounding:       xi <= 1.2e-14 proved, 5.7e-15 sampled; eta <= 8.5e-15 proved, 4.7e-15 sampled (1000000 points)
  *   exact:          nothing evolved, the frame's value is right to rounding
  *   training:       xi genes 1 mean 7.949e-17; eta genes 1 mean 7.898e-17
  *   heldout:        xi 7.875e-17 4.718e-16 4.094e-15, eta 7.861e-17 4.718e-16 3.067e-15, of 1e6 samples and climbing

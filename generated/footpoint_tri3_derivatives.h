@@ -600,7 +600,7 @@ FOOTPOINT_PART int footpoint_detail_write_turns(const struct footpoint_detail_tu
  *   genome_sha256:  4d3f56cd23a494621b537f6c2c3e1e90d952ac2bbc0f91bc938a3e03faada564
  *   poles:          t10: proved free of zeros, |t10| >= 0.35 (rounding error <= 2.9e-15)
  *   rounding:       phi <= 2.6e-16 proved, 2.3e-16 sampled; r_xi <= 1.4e-16 proved, 1.2e-16 sampled; r_eta <= 1.4e-16
- *     proved, 1.2e-16 sampled; normal <= 6.7e-15 proved, 3.5e-16 sampled; gap <= 8.5e-15 proved, 3e-16 sampled
+ *     proved, 1.2e-16 sampled; normal <= 6.7e-15 proved, 3.5e-16 sampled; gap <= 8.5e-15 proved, 4.3e-16 sampled
  *     (1000000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
@@ -1108,9 +1108,9 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
  *   genome_sha256:  11dfc40e6be6075f39ad578268769306b7bde5d962d40d5f449702358c9a7513
  *   poles:          t12: proved free of zeros, |t12| >= 0.35 (rounding error <= 2.7e-15)
  *   rounding:       phi <= 3.8e-16 proved, 2.3e-16 sampled; r_xi <= 1.4e-16 proved, 1.2e-16 sampled; r_eta <= 1.4e-16
- *     proved, 1.2e-16 sampled; normal <= 6.4e-15 proved, 3.5e-16 sampled; gap <= 1.4e-14 proved, 3.2e-16 sampled;
- *     d_xi <= 1.7e-13 proved, 1.7e-15 sampled; d_eta <= 1.1e-13 proved, 1.6e-15 sampled; d_gap <= 1.4e-14 proved,
- *     7.5e-16 sampled (1000000 points)
+ *     proved, 1.2e-16 sampled; normal <= 6.4e-15 proved, 3.6e-16 sampled; gap <= 1.4e-14 proved, 4.6e-16 sampled;
+ *     d_xi <= 1.1e-13 proved, 2e-15 sampled; d_eta <= 1.1e-13 proved, 1.7e-15 sampled; d_gap <= 1.4e-14 proved,
+ *     7.2e-16 sampled (1000000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -1322,9 +1322,9 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  170526cec16dbaa1ca62e3c984ae3ea3a158abbcdff21c307d4a1bdd7b16469f
  *   poles:          t10: proved free of zeros, |t10| >= 0.35 (rounding error <= 2.9e-15)
- *   rounding:       gap <= 1.7e-14 proved, 4.3e-16 sampled; d_xi <= 1.5e-13 proved, 1.8e-15 sampled; d_eta <= 1.5e-13
- *     proved, 2e-15 sampled; d_gap <= 1.4e-14 proved, 7.1e-16 sampled; d_normal <= 8.3e-14 proved, 1.8e-15 sampled;
- *     hessian 5.1e-15 sampled (1000000 points)
+ *   rounding:       gap <= 1.7e-14 proved, 5.6e-16 sampled; d_xi <= 1.5e-13 proved, 2.3e-15 sampled; d_eta <= 1.5e-13
+ *     proved, 2.2e-15 sampled; d_gap <= 1.4e-14 proved, 7.5e-16 sampled; d_normal <= 8.3e-14 proved, 1.7e-15 sampled;
+ *     hessian 6.1e-15 sampled (1000000 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[12 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

@@ -3777,7 +3777,7 @@ FOOTPOINT_PART unsigned long long footpoint_tri6_accurate_detail(const double xA
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  5ed92eb8a67afd13115c2c1611212ec746b6f0561583873727b7658c7dd8e947
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 81 (rounding error <= 1.6e-11)
- *   rounding:       xi <= 9.1e-14 proved, 6e-15 sampled; eta <= 4.5e-14 proved, 2.5e-15 sampled (1000000 points)
+ *   rounding:       xi <= 9.1e-14 proved, 6.9e-15 sampled; eta <= 4.5e-14 proved, 4.6e-15 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 8.306e-03; eta genes 1 mean 8.267e-03
  *   heldout:        xi 8.187e-03 4.948e-02 2.546e-01, eta 8.257e-03 4.921e-02 2.444e-01, of 200000 samples and
@@ -3922,7 +3922,7 @@ FOOTPOINT_FN int footpoint_tri6_fast_closest_of(size_t n, const double *const *x
  *   genome_sha256:  a7734ac279431f6a83f87c82e642831f416037869f7fbdef18b364544fb3578a
  *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 81 (rounding error <= 3.4e-11)
  *   poles:          t61 * t62 - t60 * t60: proved free of zeros, |...| >= 16 (rounding error <= 1.9e-05)
- *   rounding:       xi 5.5e-15 sampled; eta 1.6e-15 sampled (1000000 points)
+ *   rounding:       xi 5.9e-15 sampled; eta 2e-15 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.070e-04; eta genes 1 mean 2.092e-04
  *   heldout:        xi 2.062e-04 2.288e-03 2.748e-01, eta 2.061e-04 2.287e-03 2.452e-01, of 200000 samples and
@@ -4068,7 +4068,7 @@ FOOTPOINT_FN int footpoint_tri6_coarse_closest_of(size_t n, const double *const 
  *   genome_sha256:  cba47a8bf05cb0165fa195668ddfebebfaa9291d5be35aa43abef4046ca1e9ea
  *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 81 (rounding error <= 1.6e-11)
  *   poles:          t67 * t67 + t66 * t68: proved free of zeros, |...| >= 15 (rounding error <= 8.8e-06)
- *   rounding:       xi 6.8e-15 sampled; eta 1.7e-15 sampled (1000000 points)
+ *   rounding:       xi 3.6e-15 sampled; eta 2.6e-15 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 6.473e-05; eta genes 1 mean 6.522e-05
  *   heldout:        xi 6.272e-05 9.099e-04 8.210e-02, eta 6.342e-05 9.240e-04 7.124e-02, of 200000 samples and
@@ -4215,7 +4215,7 @@ FOOTPOINT_FN int footpoint_tri6_medium_closest_of(size_t n, const double *const 
  *   poles:          t36 * t35 - t34 * t34: proved free of zeros, |...| >= 81 (rounding error <= 1.6e-11)
  *   poles:          t67 * t67 - t69 * t68: proved free of zeros, |...| >= 15 (rounding error <= 3.7e-05)
  *   poles:          t81 * t81 - t82 * t78: proved free of zeros, |...| >= 14; status if computed as 0 or not finite
- *   rounding:       xi 9.2e-15 sampled; eta 9.5e-16 sampled (1000000 points)
+ *   rounding:       xi 5e-15 sampled; eta 2.1e-15 sampled (1000000 points)
  *   found_both:     seed 1 generations 120 islands 2
  *   training_both:  genes 53 mean 6.602e-07
  *   heldout:        xi 7.080e-07 1.079e-05 1.279e-02, eta 7.221e-07 1.119e-05 1.398e-02, of 200000 samples and
@@ -4365,7 +4365,7 @@ FOOTPOINT_FN int footpoint_tri6_balanced_closest_of(size_t n, const double *cons
  *   poles:          divisor of t35: proved free of zeros, |...| >= 79 (rounding error <= 1.6e-11)
  *   poles:          t69 * t69 + t68 * t70: proved free of zeros, |...| >= 14 (rounding error <= 3.5e-05)
  *   poles:          t83 * t83 + t82 * t79: proved free of zeros, |...| >= 14; status if computed as 0 or not finite
- *   rounding:       xi 6e-15 sampled; eta 2.4e-15 sampled (1000000 points)
+ *   rounding:       xi 4e-15 sampled; eta 1.9e-15 sampled (1000000 points)
  *   found_both:     seed 1 generations 120 islands 2
  *   training_both:  genes 56 mean 1.580e-09
  *   heldout:        xi 3.173e-09 8.458e-09 1.341e-01, eta 2.880e-09 8.388e-09 1.664e-01, of 200000 samples and
@@ -4514,7 +4514,7 @@ FOOTPOINT_FN int footpoint_tri6_fine_closest_of(size_t n, const double *const *x
  *   poles:          t96 * t96 + t95 * t97: proved free of zeros, |...| >= 0.93 (rounding error <= 0.0016)
  *   poles:          t125 * t125 + t124 * t126: proved free of zeros, |...| >= 0.87; status if computed as 0 or not
  *     finite
- *   rounding:       xi 8.9e-15 sampled; eta 9.6e-16 sampled (1000000 points)
+ *   rounding:       xi 3.3e-15 sampled; eta 1.6e-15 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.017e-09; eta genes 1 mean 2.301e-09
  *   heldout:        xi 3.371e-11 2.359e-12 3.676e-03, eta 3.097e-11 2.247e-12 4.159e-03, of 200000 samples and
@@ -4667,7 +4667,7 @@ FOOTPOINT_FN int footpoint_tri6_precise_closest_of(size_t n, const double *const
  *     finite
  *   poles:          t154 * t154 + t153 * t155: proved free of zeros, |...| >= 0.87; status if computed as 0 or not
  *     finite
- *   rounding:       xi 8.8e-15 sampled; eta 9e-16 sampled (1000000 points)
+ *   rounding:       xi 4e-15 sampled; eta 1.7e-15 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.098e-13; eta genes 1 mean 2.456e-13
  *   heldout:        xi 6.794e-17 2.220e-16 2.711e-04, eta 6.520e-17 2.220e-16 3.044e-04, of 200000 samples and

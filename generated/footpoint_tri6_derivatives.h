@@ -603,8 +603,8 @@ FOOTPOINT_PART int footpoint_detail_write_turns(const struct footpoint_detail_tu
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  302e713e39d7cf8d9d8cc304dc1fdcc4bfec25a2a8ca46df90d301222dce9811
  *   poles:          t33: proved free of zeros, |t33| >= 0.099 (rounding error <= 1.3e-12)
- *   rounding:       phi <= 3.1e-15 proved, 1.8e-15 sampled; r_xi <= 5.5e-15 proved, 3e-15 sampled; r_eta <= 5.5e-15
- *     proved, 3e-15 sampled; normal 1.1e-14 sampled; gap 6.7e-15 sampled (1000000 points)
+ *   rounding:       phi <= 3.1e-15 proved, 1.8e-15 sampled; r_xi <= 5.5e-15 proved, 2.8e-15 sampled; r_eta <= 5.5e-15
+ *     proved, 3.1e-15 sampled; normal 1.1e-14 sampled; gap 6.1e-15 sampled (1000000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -791,8 +791,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[21], \
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  9b643aabd2fc62af3cb959eea600e37f8b7bc53c281cce9f26e88c06322070cc
  *   poles:          none, nothing is divided by
- *   rounding:       phi <= 1.6e-15 proved, 9.3e-16 sampled; phi_xi <= 1.6e-15 proved, 8.9e-16 sampled; phi_eta <=
- *     1.5e-15 proved, 8.9e-16 sampled; r_xi <= 4.8e-15 proved, 2.7e-15 sampled; r_eta <= 2.7e-15 proved, 9.7e-16
+ *   rounding:       phi <= 1.6e-15 proved, 9.4e-16 sampled; phi_xi <= 1.6e-15 proved, 8.9e-16 sampled; phi_eta <=
+ *     1.5e-15 proved, 8.9e-16 sampled; r_xi <= 4.8e-15 proved, 2.6e-15 sampled; r_eta <= 2.7e-15 proved, 1.2e-15
  *     sampled; r_xixi <= 5.5e-16 proved, 4.5e-16 sampled; r_xieta <= 5.6e-16 proved, 4.5e-16 sampled; r_etaeta <=
  *     5.5e-16 proved, 4.5e-16 sampled (1000000 points)
  *   gives:          phi[k] shape functions, phi_xi, phi_eta their slopes, r_xi, r_eta tangents, r_xixi, r_xieta,
@@ -1162,9 +1162,9 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
  *   genome_sha256:  793fd83f97241e23342c492185e71c8cf4956ec963da15d612c4f1735aea2c45
  *   poles:          t52: proved free of zeros, |t52| >= 0.0062 (rounding error <= 2.9e-13)
  *   poles:          t48: proved free of zeros, |t48| >= 0.024 (rounding error <= 3.1e-13)
- *   rounding:       phi <= 3.1e-15 proved, 1.7e-15 sampled; r_xi <= 5.5e-15 proved, 2.5e-15 sampled; r_eta <= 5.5e-15
- *     proved, 2.8e-15 sampled; normal 1.2e-14 sampled; gap 5.4e-15 sampled; d_xi 1.3e-11 sampled; d_eta 1.1e-11
- *     sampled; d_gap 5.3e-14 sampled (1000000 points)
+ *   rounding:       phi <= 3.1e-15 proved, 1.8e-15 sampled; r_xi <= 5.5e-15 proved, 2.8e-15 sampled; r_eta <= 5.5e-15
+ *     proved, 2.5e-15 sampled; normal 1.2e-14 sampled; gap 6.3e-15 sampled; d_xi 5.9e-11 sampled; d_eta 1.5e-11
+ *     sampled; d_gap 4.9e-14 sampled (1000000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -1437,8 +1437,8 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[21], \
  *   genome_sha256:  dcaa52407982331fc589d1998b08d89fefbf79da45b6f979e4e5b7256523c47c
  *   poles:          t55: proved free of zeros, |t55| >= 0.0062 (rounding error <= 1.2e-13)
  *   poles:          t61: proved free of zeros, |t61| >= 0.0062 (rounding error <= 4.5e-13)
- *   rounding:       gap 1.8e-15 sampled; d_xi 4.1e-11 sampled; d_eta 1.4e-11 sampled; d_gap 4.6e-14 sampled; d_normal
- *     4.7e-11 sampled; hessian 2.3e-10 sampled (1000000 points)
+ *   rounding:       gap 5.2e-15 sampled; d_xi 4.2e-11 sampled; d_eta 3.1e-11 sampled; d_gap 6.1e-14 sampled; d_normal
+ *     4.5e-11 sampled; hessian 2.9e-10 sampled (1000000 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[21 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

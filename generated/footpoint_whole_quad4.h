@@ -1724,7 +1724,7 @@ FOOTPOINT_PART unsigned long long footpoint_whole_quad4_program3_detail(const do
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d5bf07cb0596b99ded4f4ff9cf1895ac9f3274ae4bf8e02b21ef0e27fc39566b
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
- *   rounding:       xi 1.7e-10 sampled; eta 1.9e-10 sampled (1000000 points)
+ *   rounding:       xi 1.8e-10 sampled; eta <= 2.2e-08 proved, 2.3e-10 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 3.812e-02; eta genes 1 mean 5.480e-02
  *   heldout:        xi 3.293e-02 1.880e-01 5.819e+00, eta 4.527e-02 2.777e-01 3.494e+00, of 857778 samples
@@ -1801,7 +1801,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_gauss_checked_n(size_t n, const double
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  ca324198754d29de552fcf32156d350fe01cddbbe32431d038470c8aad81b2bd
  *   poles:          t16 * t17 - t15 * t15: proved free of zeros, |...| >= 0.0013 (rounding error <= 8.2e-13)
- *   rounding:       xi 2.3e-12 sampled; eta 3.9e-12 sampled (1000000 points)
+ *   rounding:       xi 1.9e-11 sampled; eta 2.8e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 20 mean 3.939e-02
  *   heldout:        xi 2.989e-02 2.184e-01 1.063e+00, eta 4.000e-02 3.505e-01 1.656e+00, of 857778 samples
@@ -1878,7 +1878,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_fast_checked_n(size_t n, const double 
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d0d822dfa12d2282216e41ef9024f9d1fa363f91feabb54d586c668b21c16c58
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.5e-14)
- *   rounding:       xi 6.6e-12 sampled; eta 6.2e-12 sampled (1000000 points)
+ *   rounding:       xi 1.3e-11 sampled; eta 7.7e-12 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.178e-02; eta genes 1 mean 1.596e-02
  *   heldout:        xi 1.246e-02 1.422e-01 1.189e+00, eta 1.625e-02 1.991e-01 1.447e+00, of 857778 samples
@@ -1957,7 +1957,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_taper_checked_n(size_t n, const double
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
  *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 5.4e-08; status if computed as 0 or not
  *     finite
- *   rounding:       xi 3.9e-09 sampled; eta 4e-09 sampled (1000000 points)
+ *   rounding:       xi 1.9e-07 sampled; eta 1.5e-07 sampled (1000000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.201e-02; eta genes 1 mean 1.597e-02
  *   heldout:        xi 5.885e-03 8.507e-02 5.403e+00, eta 6.361e-03 1.031e-01 3.872e+00, of 857778 samples
@@ -2036,7 +2036,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_checked_n(size_t n, const doubl
  *   genome_sha256:  7a3899caa7ab6e647ef0c91e6d3a386f381274386bcff50622ec3a33ce15745c
  *   poles:          t15 * t16 - 0.7875 * t18 * t18: proved free of zeros, |...| >= 0.0027 (rounding error <= 6e-14)
  *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 8.3e-06 (rounding error <= 3.1e-07)
- *   rounding:       xi 2.2e-11 sampled; eta 1.5e-11 sampled (1000000 points)
+ *   rounding:       xi 4.1e-11 sampled; eta 6.1e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 155 mean 4.550e-03
  *   heldout:        xi 3.625e-03 5.279e-02 1.959e+00, eta 4.171e-03 6.505e-02 1.409e+00, of 857778 samples
@@ -2116,7 +2116,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_checked_n(size_t n, const doubl
  *   poles:          t23: proved free of zeros, |t23| >= 0.0027 (rounding error <= 6.1e-14)
  *   poles:          t39 * t32 - t38 * t38: proved free of zeros, |...| >= 3.5e-05; status if computed as 0 or not
  *     finite
- *   rounding:       xi 3.6e-11 sampled; eta 5.1e-11 sampled (1000000 points)
+ *   rounding:       xi 7.7e-11 sampled; eta 9.4e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 197 mean 3.713e-03
  *   heldout:        xi 2.887e-03 5.230e-02 1.639e+00, eta 3.594e-03 6.369e-02 1.968e+00, of 857778 samples
@@ -2195,7 +2195,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_newton_checked_n(size_t n, const doubl
  *   genome_sha256:  2611129730e7c906aae9ac19eef0f194a098a493bbfc3e7c0795ca980c50e2e3
  *   poles:          divisor of t19: proved free of zeros, |...| >= 0.0019 (rounding error <= 6.6e-14)
  *   poles:          t42: proved free of zeros, |t42| >= 0.00011; status if computed as 0 or not finite
- *   rounding:       xi 7e-12 sampled; eta 1.2e-11 sampled (1000000 points)
+ *   rounding:       xi 1.6e-11 sampled; eta 5.8e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 60 islands 4
  *   training_both:  genes 224 mean 1.734e-03
  *   heldout:        xi 1.141e-03 1.849e-02 1.629e+00, eta 1.524e-03 2.318e-02 1.345e+00, of 857778 samples
@@ -2275,7 +2275,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_medium_checked_n(size_t n, const doubl
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 6.4e-14)
  *   poles:          t42: proved free of zeros, |t42| >= 0.001; status if computed as 0 or not finite
  *   poles:          t56: proved free of zeros, |t56| >= 0.00033; status if computed as 0 or not finite
- *   rounding:       xi 1.3e-08 sampled; eta 1.2e-08 sampled (1000000 points)
+ *   rounding:       xi 1.3e-07 sampled; eta 1.4e-07 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 275 mean 5.022e-04
  *   heldout:        xi 3.221e-04 3.524e-03 1.375e+00, eta 4.474e-04 4.489e-03 7.845e-01, of 857778 samples
@@ -2356,7 +2356,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_balanced_checked_n(size_t n, const dou
  *   poles:          t30: proved free of zeros, |t30| >= 0.0014; status if computed as 0 or not finite
  *   poles:          t43: proved free of zeros, |t43| >= 0.00035; status if computed as 0 or not finite
  *   poles:          t58: proved free of zeros, |t58| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi 4.1e-10 sampled; eta 1.4e-10 sampled (1000000 points)
+ *   rounding:       xi 5.3e-11 sampled; eta 1.5e-11 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 323 mean 3.504e-04
  *   heldout:        xi 1.496e-04 3.914e-04 1.920e+00, eta 2.158e-04 4.280e-04 1.364e+00, of 857778 samples
@@ -2437,7 +2437,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_fine_checked_n(size_t n, const double 
  *   poles:          t44: proved free of zeros, |t44| >= 0.00035; status if computed as 0 or not finite
  *   poles:          t59: proved free of zeros, |t59| >= 0.00037; status if computed as 0 or not finite
  *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi 1.4e-09 sampled; eta 7.4e-10 sampled (1000000 points)
+ *   rounding:       xi 1.9e-09 sampled; eta 6.2e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 476 mean 1.412e-04
  *   heldout:        xi 3.870e-05 3.355e-07 1.629e+00, eta 5.468e-05 3.885e-07 1.527e+00, of 857778 samples
@@ -2520,7 +2520,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_precise_checked_n(size_t n, const doub
  *   poles:          t51: proved free of zeros, |t51| >= 0.0036; status if computed as 0 or not finite
  *   poles:          t62: proved free of zeros, |t62| >= 0.00031; status if computed as 0 or not finite
  *   poles:          t78: proved free of zeros, |t78| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi 3.1e-09 sampled; eta 6.4e-09 sampled (1000000 points)
+ *   rounding:       xi 8.9e-10 sampled; eta 7.7e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 80 islands 2
  *   training_both:  genes 503 mean 1.192e-05
  *   heldout:        xi 2.282e-05 8.808e-09 1.629e+00, eta 2.836e-05 1.422e-08 1.297e+00, of 857778 samples
@@ -2603,7 +2603,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_checked_n(size_t n, const dou
  *   poles:          t61: proved free of zeros, |t61| >= 0.00031; status if computed as 0 or not finite
  *   poles:          t77: proved free of zeros, |t77| >= 0.00031; status if computed as 0 or not finite
  *   poles:          t93: proved free of zeros, |t93| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi 1.4e-08 sampled; eta 1.3e-08 sampled (1000000 points)
+ *   rounding:       xi 2e-07 sampled; eta 3.1e-07 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 593 mean 1.827e-04
  *   heldout:        xi 1.852e-05 2.954e-13 1.578e+00, eta 3.049e-05 3.285e-13 1.527e+00, of 857778 samples
@@ -2684,7 +2684,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_full_checked_n(size_t n, const double 
  *   poles:          t43: proved free of zeros, |t43| >= 0.00034; status if computed as 0 or not finite
  *   poles:          t47: proved free of zeros, |t47| >= 0.00086; status if computed as 0 or not finite
  *   poles:          t59: proved free of zeros, |t59| >= 0.0003; status if computed as 0 or not finite
- *   rounding:       xi 2.5e-10 sampled; eta 3.7e-10 sampled (1000000 points)
+ *   rounding:       xi 2.8e-10 sampled; eta 1.4e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 2 islands 2
  *   training_both:  genes 371 mean 1.986e-04
  *   heldout:        xi 1.283e-04 3.163e-04 1.497e+00, eta 1.601e-04 3.399e-04 1.215e+00, of 857778 samples
@@ -2767,7 +2767,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program1_checked_n(size_t n, const dou
  *   poles:          t47: proved free of zeros, |t47| >= 0.0036; status if computed as 0 or not finite
  *   poles:          t59: proved free of zeros, |t59| >= 0.00033; status if computed as 0 or not finite
  *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
- *   rounding:       xi 8.7e-12 sampled; eta 2.5e-10 sampled (1000000 points)
+ *   rounding:       xi 1.9e-10 sampled; eta 4.2e-10 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 494 mean 1.640e-05
  *   heldout:        xi 2.547e-05 1.240e-08 1.629e+00, eta 3.361e-05 2.162e-08 1.215e+00, of 857778 samples
@@ -2851,7 +2851,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program2_checked_n(size_t n, const dou
  *   poles:          t59: proved free of zeros, |t59| >= 0.00037; status if computed as 0 or not finite
  *   poles:          t75: proved free of zeros, |t75| >= 0.00031; status if computed as 0 or not finite
  *   poles:          t90: no zero where the region's requires hold, by no proved margin
- *   rounding:       xi 1.3e-07 sampled; eta 9e-08 sampled (1000000 points)
+ *   rounding:       xi 1.5e-09 sampled; eta 1.9e-09 sampled (1000000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 614 mean 8.153e-06
  *   heldout:        xi 8.813e-06 1.943e-14 3.714e-01, eta 1.251e-05 2.259e-14 7.845e-01, of 857778 samples

@@ -81,20 +81,18 @@ static struct interval rounded(const struct arithmetic *a, double share, struct 
                                             : hi};
 }
 
-struct interval computed_range(const struct known *x, const struct interval *box, int op)
+struct interval *computed_ranges(const struct known *x, const struct interval *box, size_t ops)
 {
-    if (x->place)
-        return interval_whole();
-    struct forms w = {.known = x, .range = new_array((size_t)op + 1, sizeof *w.range)};
-    for (int i = 0; i <= op; i++) {
+    struct forms w = {.known = x, .range = new_array(ops, sizeof *w.range)};
+    for (size_t i = 0; i < ops; i++) {
         const struct op *o = &x->program->op[i];
         const bool fixed = o->kind == OP_CONSTANT || (o->kind == OP_INPUT && x->variable[o->input] == x->variables);
         const struct interval exact = fixed ? x->value[i] : range_of(&w, o, box);
-        w.range[i] = rounded(&x->arithmetic, o->kind == OP_INPUT ? x->arithmetic.given : x->arithmetic.unit, exact);
+        w.range[i] = x->place ? interval_whole()
+                              : rounded(&x->arithmetic,
+                                        o->kind == OP_INPUT ? x->arithmetic.given : x->arithmetic.unit, exact);
     }
-    const struct interval range = w.range[op];
-    free(w.range);
-    return range;
+    return w.range;
 }
 
 /* Narrows operation i to x, and its twin accordingly. */

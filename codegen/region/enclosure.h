@@ -17,9 +17,9 @@ bool forms_hold_at(struct forms *w, const struct interval *point);
 /** Evaluates after cutting off what the requires exclude. */
 bool forms_evaluate_narrowed(struct forms *w, struct interval *box);
 
-/** Encloses all computed values of operation `op` over a box of inputs, with or without contraction to FMA, from its
- *  operands only. Returns the whole line if a region block computes the inputs. */
-struct interval computed_range(const struct known *x, const struct interval *box, int op);
+/** Encloses all computed values of the first `ops` operations over a box of inputs, with or without contraction to FMA, from
+ *  their operands only; the whole line if a region block computes the inputs. The result is owned by the caller. */
+struct interval *computed_ranges(const struct known *x, const struct interval *box, size_t ops);
 
 /** Returns true if all values are finite over the box, hence continuous. */
 bool forms_finite(const struct forms *w);

@@ -74,12 +74,15 @@ static struct pole find_zero(struct evidence_search *s, int op, long boxes)
     return pole;
 }
 
-/* Encloses the computed values of a denominator, without a bound of its error. */
-static void enclose_computed(struct region *r, struct denominator *d)
+/* Encloses the computed values of all denominators, without a bound of their errors. */
+static void enclose_computed(struct region *r, struct evidence *e)
 {
     struct interval *box = new_array(r->known->variables, sizeof *box);
     region_box(r, box);
-    d->apart = !interval_has(computed_range(r->known, box, region_op(r, d->op)), 0);
+    struct interval *range = computed_ranges(r->known, box, r->known->program->ops);
+    for (size_t i = 0; i < e->denominators; i++)
+        e->denominator[i].apart = !interval_has(range[region_op(r, e->denominator[i].op)], 0);
+    free(range);
     free(box);
 }
 
@@ -88,7 +91,6 @@ static void find_pole(struct evidence_search *s, struct denominator *d, size_t s
     struct region *r = s->region;
     const int op = region_op(r, d->op);
     d->verdict = POLE_UNDECIDED;
-    enclose_computed(r, d);
     if (s->work <= 0)
         return;
     const long boxes = boxes_for(s, searches);
@@ -209,6 +211,7 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
     e->empty = region_is_empty(r, BOXES_FOR_EMPTY);
     e->outputs = p->outputs;
     e->error = new_array(p->outputs, sizeof *e->error);
+    enclose_computed(r, e);
     for (size_t i = 0; i < e->denominators; i++)
         find_pole(&s, &e->denominator[i], e->denominators + p->outputs - i);
     for (size_t i = 0; i < p->outputs; i++)

@@ -17,7 +17,8 @@
 enum {
     TRIES = 50, /* attempts for a point */
     FIRST_TRIES = 200000,
-    CLIMBING = 8,     /* a climb for each output; all climbs together take one point in eight */
+    PARTS = 16,       /* of the walk; behind each, each output is climbed from the worst point of the part */
+    CLIMBING = 16,    /* these climbs take one point in 16, as many as the climbs from the worst points of all parts */
     LAST_DIGITS = 52, /* a step of a climb changes between the whole range and its last digits */
     MOST_ODD = 1000   /* points without a computed number that are evaluated exactly */
 };
@@ -33,7 +34,8 @@ struct subject {
     struct lanes *value, *high, *low; /* owned: by place */
     struct lanes *computed[2];        /* owned: by output, without and with contraction */
     float *coordinate, *number;       /* owned: by input, twice, and operation */
-    double **top;                     /* owned: by output; the point with its worst error, by variable */
+    double *worst, **top;             /* owned: by output; the worst error of a part, and its point, by variable */
+    double **peak;                    /* owned: by output; the point of the worst error of all parts */
     arb_ptr exact;                    /* owned: by output */
     long odd;
     struct sampled_errors *found; /* not owned */
@@ -94,14 +96,19 @@ static void pool_candidates(struct sampler *s)
     }
 }
 
-/* Proposes candidates for the walk through the region. */
+/* Proposes candidates for the walk through the region; half of them have ends of ranges for a quarter of what changes. */
 static void propose_anywhere(struct sampler *s, const double *from)
 {
     static const double keep[] = {0, 0.5, 0.8, 0.95};
     for (int l = 0; l < LANES; l++)
         for (size_t k = 0; k < s->region->known->variables; k++) {
             const bool kept = random_fraction(random_next(&s->random)) < keep[l & 3];
-            s->point[l][k] = kept ? from[k] : region_draw_coordinate(s->region, k, &s->random, 0);
+            const struct interval range = s->region->doubles[s->region->known->input[k]];
+            const uint64_t end = l & 4 && interval_finite(range) ? random_next(&s->random) % 8 : 2;
+            s->point[l][k] = kept       ? from[k]
+                             : end == 0 ? range.lo
+                             : end == 1 ? range.hi
+                                        : region_draw_coordinate(s->region, k, &s->random, 0);
         }
 }
 
@@ -179,9 +186,9 @@ static bool looks_worse(struct subject *s, size_t i, size_t l, double computed)
 {
     const int at = s->plan.slot[s->program->output[i]];
     const double far = fabs((computed - s->high[at].at[l]) - s->low[at].at[l]);
-    if (far <= s->found->worst[i])
+    if (far <= s->worst[i])
         return false;
-    return isfinite(far) || (s->found->worst[i] < INFINITY && s->odd++ < MOST_ODD);
+    return isfinite(far) || (s->worst[i] < INFINITY && s->odd++ < MOST_ODD);
 }
 
 static void take_errors(struct sampler *s, struct subject *of, const struct lanes *input, size_t l)
@@ -195,8 +202,8 @@ static void take_errors(struct sampler *s, struct subject *of, const struct lane
             if (!exact && !(exact = look_exactly(s, of, input, l)))
                 return;
             const double far = exact_error(computed, of->exact + i);
-            if (far > of->found->worst[i] && isfinite(far)) { /* results that are not finite have a status */
-                of->found->worst[i] = far;
+            if (far > of->worst[i] && isfinite(far)) { /* results that are not finite have a status */
+                of->worst[i] = far;
                 memcpy(of->top[i], s->pool[l], s->region->known->variables * sizeof *of->top[i]);
             }
         }
@@ -208,7 +215,7 @@ static bool has_worse(const struct subject *s)
     int worse = 0;
     for (size_t i = 0; i < s->program->outputs; i++) {
         const int at = s->plan.slot[s->program->output[i]];
-        const double *high = s->high[at].at, *low = s->low[at].at, worst = s->found->worst[i];
+        const double *high = s->high[at].at, *low = s->low[at].at, worst = s->worst[i];
         for (int contract = 0; contract < 2; contract++) {
             const double *computed = s->computed[contract][i].at;
             for (size_t l = 0; l < LANES; l++)
@@ -268,12 +275,36 @@ static long walk(struct sampler *s, double *from, long most)
 /* Climbs uphill from the point of an output's worst error. */
 static void climb(struct sampler *s, struct subject *of, size_t output, long points)
 {
-    for (s->tries = points; s->tries > 0 && of->found->worst[output] > 0; s->pooled = 0) {
+    for (s->tries = points; s->tries > 0 && of->worst[output] > 0; s->pooled = 0) {
         while (s->pooled < LANES && s->tries > 0) {
             propose_near(s, of->top[output]);
             pool_candidates(s);
         }
         look(s, of);
+    }
+}
+
+/* Climbs for each output from the worst point of a part of the walk, and begins the next part. */
+static void end_part(struct subject *of, struct sampler *s, long points)
+{
+    for (size_t i = 0; i < of->program->outputs && s->region->known->variables > 0; i++) {
+        climb(s, of, i, points);
+        if (of->worst[i] > of->found->worst[i]) {
+            of->found->worst[i] = of->worst[i];
+            memcpy(of->peak[i], of->top[i], s->region->known->variables * sizeof *of->peak[i]);
+        }
+        of->worst[i] = 0;
+    }
+}
+
+/* Climbs on for each output from the worst point of all parts. */
+static void end_walk(struct subject *of, struct sampler *s, long points)
+{
+    for (size_t i = 0; i < of->program->outputs && s->region->known->variables > 0; i++) {
+        of->worst[i] = of->found->worst[i];
+        memcpy(of->top[i], of->peak[i], s->region->known->variables * sizeof *of->top[i]);
+        climb(s, of, i, points);
+        of->found->worst[i] = of->worst[i];
     }
 }
 
@@ -316,9 +347,13 @@ static struct subject subject_new(const struct genome_file *f, const struct samp
     single_constants(p, s.number);
     for (int k = 0; k < 2; k++)
         s.computed[k] = arena_array(&s.arena, p->outputs, sizeof *s.computed[k]);
+    s.worst = arena_array(&s.arena, p->outputs, sizeof *s.worst);
     s.top = arena_array(&s.arena, p->outputs, sizeof *s.top);
-    for (size_t i = 0; i < p->outputs; i++)
+    s.peak = arena_array(&s.arena, p->outputs, sizeof *s.peak);
+    for (size_t i = 0; i < p->outputs; i++) {
         s.top[i] = arena_array(&s.arena, variables, sizeof *s.top[i]);
+        s.peak[i] = arena_array(&s.arena, variables, sizeof *s.peak[i]);
+    }
     s.exact = _arb_vec_init((slong)p->outputs);
     found->worst = new_array(p->outputs, sizeof *found->worst);
     found->most = new_array(p->ops, sizeof *found->most);
@@ -415,11 +450,14 @@ struct sampled_errors *sampled_errors_new(const struct genome_file *f, const str
     double *from = new_array(x->variables, sizeof *from);
     long tries = FIRST_TRIES, taken = 0;
     if (most > 0 && x->complete && region_draw(s.region, &s.random, 0, &tries, from))
-        taken = walk(&s, from, most);
+        for (long part = 0; part < PARTS; part++) {
+            taken += walk(&s, from, most * (part + 1) / PARTS - most * part / PARTS);
+            for (size_t k = 0; k < n; k++)
+                end_part(&s.subject[k], &s, most / CLIMBING / PARTS / (long)of[k].program->outputs);
+        }
     for (size_t k = 0; k < n; k++) {
+        end_walk(&s.subject[k], &s, most / CLIMBING / (long)of[k].program->outputs);
         found[k].points = taken;
-        for (size_t i = 0; i < of[k].program->outputs && x->variables > 0; i++)
-            climb(&s, &s.subject[k], i, most / CLIMBING / (long)of[k].program->outputs);
     }
     free(from);
     sampler_free(&s);

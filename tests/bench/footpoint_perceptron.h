@@ -1687,7 +1687,7 @@ FOOTPOINT_PART unsigned long long footpoint_perceptron_hidden_16_16_detail(const
  *   poles:          t56: proved free of zeros, |t56| >= 0.99 (as computed, too)
  *   poles:          t59: proved free of zeros, |t59| >= 0.99 (as computed, too)
  *   poles:          t61: proved free of zeros, |t61| >= 0.99 (as computed, too)
- *   rounding:       xi 8.3e-15 sampled; eta 1.3e-14 sampled (500 points)
+ *   rounding:       xi 7.6e-15 sampled; eta 1.4e-14 sampled (500 points)
  *   trained:        Levenberg-Marquardt iterations 100 samples 28546 seed 1
  *   terms:          90 weights of the network
  *   training:       xi mean 3.4985e-02; eta mean 3.6121e-02
@@ -1779,7 +1779,7 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_8_checked_n(size_t n, const doub
  *   poles:          t72: proved free of zeros, |t72| >= 0.99 (as computed, too)
  *   poles:          t76: proved free of zeros, |t76| >= 0.99 (as computed, too)
  *   poles:          of 5 more denominators, 5 are proved free of zeros, 5 of these as computed, too
- *   rounding:       xi 7.7e-15 sampled; eta 9.8e-15 sampled (500 points)
+ *   rounding:       xi 7.9e-15 sampled; eta 1.1e-14 sampled (500 points)
  *   trained:        Levenberg-Marquardt iterations 100 samples 28546 seed 1
  *   terms:          178 weights of the network
  *   training:       xi mean 2.0534e-02; eta mean 1.9627e-02
@@ -1871,7 +1871,7 @@ FOOTPOINT_LOOP void footpoint_perceptron_hidden_16_checked_n(size_t n, const dou
  *   poles:          t72: proved free of zeros, |t72| >= 0.99 (as computed, too)
  *   poles:          t76: proved free of zeros, |t76| >= 0.99 (as computed, too)
  *   poles:          of 21 more denominators, 21 are proved free of zeros, 21 of these as computed, too
- *   rounding:       xi 1.5e-14 sampled; eta 2e-14 sampled (500 points)
+ *   rounding:       xi 1.8e-14 sampled; eta 1.8e-14 sampled (500 points)
  *   trained:        Levenberg-Marquardt iterations 100 samples 28546 seed 1
  *   terms:          450 weights of the network
  *   training:       xi mean 6.5141e-03; eta mean 6.5176e-03

@@ -120,9 +120,9 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
             echo "#define STATEMENTS *xi = *eta = zero + $(echo "$names" | sed 's/,/[0] +/g')[0];"; echo '#define DENOMINATORS 0'
             printf '#define %s\n' "VECTOR_STATEMENTS const REAL *const a = x0, *const b = x1, *const c = x2, *const d = x3; (void)c; (void)x$others;" 'SIZE 1' \
                 'PRODUCT_LIST 1, 0, 1' 'RATIO 1' 'PER 1' 'UNIT 1' 'UNITS 23' 'OVER 1' 'TWIST 1' 'STEPS 2' 'SCALED_ROWS y[0], y[1], y[2], y[3], y[4]' "START_detail_prove ${kind}_start" \
-                "EXACT_prove ${kind}_exact" "START_detail_approach ${kind}_approach" "START_detail ${kind}_name_detail"
+                "EXACT_prove ${kind}_exact" "START_detail_approach ${kind}_approach" "START_detail ${kind}_name_detail" "ONCE_detail ${kind}_name_detail" 'ONCE_STEPS 2'
             words="$words VECTOR_STATEMENTS SIZE PRODUCT_LIST RATIO PER UNIT UNITS OVER TWIST SCALED_ROWS"
-            words="$words SEARCH_CALL STATEMENTS DENOMINATORS EXACT_prove WITH_EXACT_PROMISE END_EXACT_PROMISE START_detail START_detail_prove START_detail_approach STEPS WITH_PROMISE END_PROMISE WITH_CURVED END_CURVED WITH_PATCH END_PATCH WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
+            words="$words SEARCH_CALL STATEMENTS DENOMINATORS EXACT_prove WITH_EXACT_PROMISE END_EXACT_PROMISE START_detail START_detail_prove START_detail_approach STEPS ONCE_detail ONCE_STEPS WITH_PROMISE END_PROMISE WITH_CURVED END_CURVED WITH_PATCH END_PATCH WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
             echo "REAL_BITS ${kind}_start($parameters, REAL promise, int fixed, REAL *xi, REAL *eta, REAL *gap);"
             case $kind in bezier | gregory) ;; *) echo "REAL_BITS footpoint_detail_${kind}_patch(const REAL *const *x, REAL promise, int bare, int near, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
             echo "void ${kind}_run(const void *begin, int bare, footpoint_detail_search *search, const REAL *const *segment, size_t n, const REAL *const *x, REAL promise, REAL *xi, REAL *eta, REAL *gap, int *status);"
@@ -130,8 +130,8 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
             quad4 | tri6 | quad8 | quad9) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' 'LANE_TOP REAL_TOP' "BLOCK footpoint_detail_${kind}_block" "SIDE footpoint_detail_${kind}_side" ;;
             *_lanes) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' "BLOCK ${kind}_block" "NARROW ${kind}_narrow" 'ALONE_SEARCH footpoint_detail_search' "ALONE_ANSWER footpoint_detail_${kind%_lanes}_answer" "ALONE_FURTHER footpoint_detail_${kind%_lanes}_further" ;;
             esac
-            printf '#define %s\n' "RUN ${kind}_run" 'START_BEGIN NULL'
-            words="$words LANE LANE_BITS LANE_TOP SIDE BLOCK NARROW ALONE_SEARCH ALONE_ANSWER ALONE_FURTHER RUN START_BEGIN"
+            printf '#define %s\n' "RUN ${kind}_run" 'ONCE_BEGIN NULL'
+            words="$words LANE LANE_BITS LANE_TOP SIDE BLOCK NARROW ALONE_SEARCH ALONE_ANSWER ALONE_FURTHER RUN ONCE_BEGIN"
             case $kind in tri6 | quad8 | quad9) ;; *) echo "REAL_BITS footpoint_detail_${kind}_curved(const REAL *const *x, REAL promise, int bare, int fixed, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
             [ "$kind" = tri3 ] || [ "$kind" = quad4 ] || echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
             echo "int ${kind}_approach($parameters, REAL promise, int lanes, REAL xi, REAL eta, REAL at[3], int *region);"

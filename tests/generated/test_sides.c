@@ -9,6 +9,7 @@
 #include "../../generated/footpoint_quad9.h"
 #include "../../generated/footpoint_tri3.h"
 #include "../../generated/footpoint_tri6.h"
+#include "../../runtime/footpoint.h"
 #include "../../runtime/footpoint_face.h"
 #include "../support/long_cases.h"
 
@@ -400,9 +401,82 @@ static void corners(void **state)
     gsl_rng_free(stream);
 }
 
+/* ---- a corner of one face, nearly without a normal ---- */
+
+typedef int closest(const double[3], const double[3], const double[3], const double[3], const double[3], double[2],
+                    double *, int *);
+
+static int robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                  double loc[2], double *dist, int *region)
+{
+    (void)region;
+    return footpoint_robust(xA, xB, xC, xD, xS, loc, dist);
+}
+
+/* Computes four times the normal r_xi x r_eta of a four-node face. */
+static void bilinear_normal(double (*x)[3], long double xi, long double eta, long double n[3])
+{
+    long double u[3], v[3];
+    for (int i = 0; i < 3; i++) {
+        u[i] = ((long double)x[1][i] - x[0][i]) * (1 - eta) + ((long double)x[2][i] - x[3][i]) * (1 + eta);
+        v[i] = ((long double)x[3][i] - x[0][i]) * (1 - xi) + ((long double)x[2][i] - x[1][i]) * (1 + xi);
+    }
+    cross(u, v, n);
+}
+
+/* Draws a face with a short edge at its first corner, where |r_xi x r_eta| is about 1/1024 of its value 1/1024 of the way inside, and a slave
+ * node. */
+static void draw_short_edge(gsl_rng *stream, double x[5][3])
+{
+    const double edge = pow(10, gsl_ran_flat(stream, -7, -5)), far = pow(10, gsl_ran_flat(stream, -4, 0.3));
+    for (int k = 0; k < 5; k++)
+        gsl_ran_dir_3d(stream, &x[k][0], &x[k][1], &x[k][2]);
+    for (int i = 0; i < 3; i++) {
+        x[0][i] = 0;
+        x[2][i] *= 8;
+        x[3][i] *= edge;
+        x[4][i] *= far;
+    }
+}
+
+static void corners_nearly_without_a_normal(void **state)
+{
+    static closest *const ways[] = {footpoint_quad4_fast_closest, footpoint_quad4_accurate_closest,
+                                    footpoint_quad4_full_closest, robust};
+    gsl_rng *stream = gsl_rng_alloc(gsl_rng_taus2);
+    long judged[sizeof ways / sizeof *ways][2] = {{0}};
+    (void)state;
+    gsl_rng_set(stream, SEED + 2);
+    for (long k = 0; k < 10 * samples(); k++) {
+        double x[5][3], loc[2], dist;
+        long double n[3], m[3], d[3];
+        int region;
+        draw_short_edge(stream, x);
+        bilinear_normal(x, -1, -1, n);
+        bilinear_normal(x, -1023.0L / 1024, -1023.0L / 1024, m);
+        difference(x[0], x[4], d);
+        const long double share = 1024 * length(n) / length(m);
+        const int inside = share < 1;
+        const long double ahead = inside ? dot(m, d) / length(m) : dot(n, d) / length(n);
+        if (fabsl(share - 1) < 1e-6L || share < 0.1L || share > 10 || fabsl(ahead) < 1e-7L * length(d))
+            continue;
+        for (size_t w = 0; w < sizeof ways / sizeof *ways; w++)
+            if (ways[w](x[0], x[1], x[2], x[3], x[4], loc, &dist, &region) >= FOOTPOINT_OK && loc[0] == -1 &&
+                loc[1] == -1) {
+                judged[w][inside]++;
+                if ((ahead < 0) != (dist < 0))
+                    fail_msg("way %zu, case %ld: distance %g, but %Lg ahead", w, k, dist, ahead);
+            }
+    }
+    for (size_t w = 0; w < sizeof ways / sizeof *ways; w++)
+        assert_true(judged[w][0] > samples() / 100 && judged[w][1] > samples() / 100);
+    gsl_rng_free(stream);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(corners_nearly_without_a_normal),
         cmocka_unit_test(ridges_and_valleys),
         cmocka_unit_test(slim_triangles),
         cmocka_unit_test(corners),

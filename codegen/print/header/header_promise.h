@@ -34,11 +34,12 @@ void promise_print_terms(const struct unit *u, enum precision precision, FILE *o
 /** Returns the function that starts NAME, itself or a cheaper one; proved steps follow. */
 const struct function *promise_start(const struct unit *u, const struct function *f);
 
-/** Returns true if the checked function of any genome starts with f. */
+/** Returns true if the checked function of any genome, on patches its loop over arrays, starts with f. */
 bool promise_starts(const struct unit *u, const struct function *f);
 
 /** Returns lines_words() with KIND from promise_answers(), and PROMISE: the macro, or 0.0, in float -1.0; START: the
- *  function that starts NAME; STEPS: its steps in loops over arrays. */
+ *  function that starts NAME; STEPS: its steps in loops over arrays. For patches STEPS is of calls; ONCE and ONCE_STEPS
+ *  are of loops and closest points, whose first proof must succeed. */
 struct words promise_words(const struct unit *u, const struct function *f);
 
 /** Prints NAME_detail_prove if functions start with f. It takes steps from the xi and eta of f and computes their proof

@@ -266,15 +266,17 @@ FOOTPOINT_COLD REAL footpoint_detail_quad4_signed(const footpoint_detail_quad4_f
 {
     const REAL size =
         8.0 * (footpoint_detail_dot(r->a, r->a) + footpoint_detail_dot(r->b, r->b) + 2.0 * q->cc);
-    REAL x[3], y[3], w[3], m[3];
+    REAL x[3], y[3], w[3], n[3], m[3];
     int i;
-    footpoint_detail_cross(r->a, r->b, m);
     for (i = 0; i < 3; i++) {
         x[i] = r->a[i] + q->v * r->c[i];
         y[i] = r->b[i] + q->u * r->c[i];
         w[i] = r->d[i] - q->u * r->a[i] - q->v * y[i];
-        m[i] *= REAL_INWARD;
     }
+    footpoint_detail_cross(x, y, n);
+    footpoint_detail_cross(r->a, r->b, m);
+    for (i = 0; i < 3; i++) /* the normal is linear on the way to the middle */
+        m[i] = n[i] + REAL_INWARD * (m[i] - n[i]);
     return copysign(q->dd,
                     footpoint_detail_side(x, y, m, w, q->dd, size,
                                           footpoint_detail_quad4_region(q->u, q->v) ? 1.0 : 0.0));

@@ -10,7 +10,7 @@ FOOTPOINT_LOOP void NAME_checked_n(size_t n, const REAL *const x[COORDINATES],
                                    REAL *FOOTPOINT_RESTRICT xi, REAL *FOOTPOINT_RESTRICT eta,
                                    REAL *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    RUN(START_BEGIN, STEPS, NAME_detail_checked, NULL, n, x, PROMISE, xi, eta, gap, status);
+    RUN(ONCE_BEGIN, ONCE_STEPS, NAME_detail_checked, NULL, n, x, PROMISE, xi, eta, gap, status);
 }
 
 FOOTPOINT_LOOP void NAME_over_n(const REAL *const nodes[SEGMENT_VECTORS], size_t n,
@@ -18,5 +18,5 @@ FOOTPOINT_LOOP void NAME_over_n(const REAL *const nodes[SEGMENT_VECTORS], size_t
                                 REAL *FOOTPOINT_RESTRICT eta, REAL *FOOTPOINT_RESTRICT gap,
                                 int *FOOTPOINT_RESTRICT status)
 {
-    RUN(START_BEGIN, STEPS, NAME_detail_checked, nodes, n, x, PROMISE, xi, eta, gap, status);
+    RUN(ONCE_BEGIN, ONCE_STEPS, NAME_detail_checked, nodes, n, x, PROMISE, xi, eta, gap, status);
 }

@@ -4,6 +4,6 @@ FOOTPOINT_PART int NAME_detail_nearby(const REAL *const *x, int lanes, REAL zero
                                       int *region)
 {
     (void)lanes;
-    (void)START_detail(VECTOR_ROWS, zero, &at[0], &at[1]);
-    return footpoint_detail_KIND_close(x, PROMISE, STEPS, at, region);
+    (void)ONCE_detail(VECTOR_ROWS, zero, &at[0], &at[1]);
+    return footpoint_detail_KIND_close(x, PROMISE, ONCE_STEPS, at, region);
 }
