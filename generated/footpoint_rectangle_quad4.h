@@ -1644,6 +1644,19 @@ FOOTPOINT_APART void footpoint_detail_f_quad4_side_begin(footpoint_detail_quad4_
     }
 }
 
+/* Returns 1 / det, or 0 if |det| is small beside `all`: a step across nearly parallel tangents would lead so far outside that
+ * products overflow. */
+FOOTPOINT_PART float footpoint_detail_f_quad4_side_per(float det, float all)
+{
+    union {
+        float number;
+        unsigned int bits;
+    } per;
+    per.number = 1.0f / det;
+    per.bits &= (footpoint_detail_f_bits(fabsf(det) - 1e-4f * all) >> 31) - 1u;
+    return per.number;
+}
+
 /* Takes a Gauss-Newton step or a Newton step. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_side_step(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t, int gauss)
 {
@@ -1651,13 +1664,14 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_side_step(footpoint_detail_quad4_bl
     FOOTPOINT_EACH
     for (l = 0; l < footpoint_detail_quad4_side; l++) {
         footpoint_detail_f_quad4_side_bend h;
-        float r12, z, f, g, per;
+        float r12, z, f, g, per, all;
         footpoint_detail_f_quad4_side_visit(t, l, &h);
         r12 = gauss ? h.e[1] + h.y : h.r12;
         z = gauss ? h.e[8] : h.y;
         f = h.e[6] + h.q * (z + h.p * h.tu);
         g = h.e[7] + h.p * (z + h.q * h.tv);
-        per = 1.0f / (h.r11 * h.r22 - r12 * r12);
+        all = h.r11 * h.r22;
+        per = footpoint_detail_f_quad4_side_per(all - r12 * r12, all);
         t->p[l] = (h.r22 * f - r12 * g) * per;
         t->q[l] = (h.r11 * g - r12 * f) * per;
     }

@@ -1,7 +1,8 @@
 # The configurations. Under the sanitizers: tests of all rooms and of the library, which compiles the generated headers, too.
 # With fused multiply-add: the library, what computes bounds and fits, and promises of headers, which a contraction must not
-# break. Other tests of headers take minutes to compile and would repeat these; FOOTPOINT_CONFIGURATIONS=all runs all tests
-# in both. Without optimisation the programs are built; what they assert the sanitizers' build asserts, too.
+# break; test_batch compares bits of programs that are contracted differently. Other tests of headers take minutes to compile
+# and would repeat these; FOOTPOINT_CONFIGURATIONS=all runs all tests in both. Without optimisation the programs are built;
+# what they assert the sanitizers' build asserts, too.
 . tests/cli/expect.inc
 unset FOOTPOINT_LONG
 sources() { # sources CONFIG: of the tests to run
@@ -12,7 +13,8 @@ sources() { # sources CONFIG: of the tests to run
         tests/generated/test_promise_curved.c tests/generated/test_promise_patches.c tests/runtime/test_*.c \
         tests/support/test_*.c | grep -v test_header_bounds ;;
     fma) ls tests/codegen/test_bound.c tests/codegen/test_program.c tests/evolve/test_kernel.c tests/evolve/test_lines.c \
-        tests/generated/test_along.c tests/generated/test_*promise*.c tests/plane/test_edge.c tests/runtime/test_*.c ;;
+        tests/generated/test_along.c tests/generated/test_*promise*.c tests/plane/test_edge.c tests/runtime/test_*.c |
+        grep -v test_batch ;;
     esac
 }
 for config in asan fma debug; do

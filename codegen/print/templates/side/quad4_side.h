@@ -79,6 +79,19 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_begin(BLOCK *FOOTPOINT_RESTRICT 
     }
 }
 
+/* Returns 1 / det, or 0 if |det| is small beside `all`: a step across nearly parallel tangents would lead so far outside that
+ * products overflow. */
+FOOTPOINT_PART REAL footpoint_detail_KIND_side_per(REAL det, REAL all)
+{
+    union {
+        REAL number;
+        REAL_BITS bits;
+    } per;
+    per.number = 1.0 / det;
+    per.bits &= (footpoint_detail_bits(fabs(det) - 1e-4 * all) >> REAL_TOP) - 1u;
+    return per.number;
+}
+
 /* Takes a Gauss-Newton step or a Newton step. */
 FOOTPOINT_PART void footpoint_detail_KIND_side_step(BLOCK *FOOTPOINT_RESTRICT t, int gauss)
 {
@@ -86,13 +99,14 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_step(BLOCK *FOOTPOINT_RESTRICT t,
     FOOTPOINT_EACH
     for (l = 0; l < SIDE; l++) {
         footpoint_detail_KIND_side_bend h;
-        REAL r12, z, f, g, per;
+        REAL r12, z, f, g, per, all;
         footpoint_detail_KIND_side_visit(t, l, &h);
         r12 = gauss ? h.e[1] + h.y : h.r12;
         z = gauss ? h.e[8] : h.y;
         f = h.e[6] + h.q * (z + h.p * h.tu);
         g = h.e[7] + h.p * (z + h.q * h.tv);
-        per = 1.0 / (h.r11 * h.r22 - r12 * r12);
+        all = h.r11 * h.r22;
+        per = footpoint_detail_KIND_side_per(all - r12 * r12, all);
         t->p[l] = (h.r22 * f - r12 * g) * per;
         t->q[l] = (h.r11 * g - r12 * f) * per;
     }
