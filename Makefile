@@ -472,7 +472,7 @@ check: ## run the tests, less those that take long (some minutes; JOBS= at a tim
 check-long: export ISAS := $(filter x86-64-v3 $(ISAS),$(ALL_ISAS))
 check-long: ## all tests on more cases, and the long ones; what compares times by itself (an hour; JOBS= at a time)
 	$(Q)+$(build_tests)
-	$(Q)FOOTPOINT_LONG=0.03 JOBS=$(JOBS) $(run_tests) $(long_in_order) --alone $(wildcard tests/timed/*.sh)
+	$(Q)FOOTPOINT_LONG=0.01 JOBS=$(JOBS) $(run_tests) $(long_in_order) --alone $(wildcard tests/timed/*.sh)
 
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))

@@ -48,7 +48,11 @@
 #endif
 #ifndef FOOTPOINT_APART /* before functions that stay separate: they vectorise whatever the caller's arrays */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+#if defined(__clang__) || __GNUC__ < 8
 #define FOOTPOINT_APART static __attribute__((noinline, unused))
+#else /* gcc 12 with -O1 takes some of them for functions without effects */
+#define FOOTPOINT_APART static __attribute__((noipa, unused))
+#endif
 #else
 #define FOOTPOINT_APART FOOTPOINT_FN
 #endif
@@ -62,7 +66,11 @@
 #endif
 #ifndef FOOTPOINT_COLD /* before functions that are seldom called: not inlined */
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
+#if defined(__clang__) || __GNUC__ < 8
 #define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
+#else
+#define FOOTPOINT_COLD static __attribute__((noipa, cold, unused))
+#endif
 #else
 #define FOOTPOINT_COLD FOOTPOINT_FN
 #endif

@@ -88,9 +88,9 @@ struct interval *computed_ranges(const struct known *x, const struct interval *b
         const struct op *o = &x->program->op[i];
         const bool fixed = o->kind == OP_CONSTANT || (o->kind == OP_INPUT && x->variable[o->input] == x->variables);
         const struct interval exact = fixed ? x->value[i] : range_of(&w, o, box);
-        w.range[i] = x->place ? interval_whole()
-                              : rounded(&x->arithmetic,
-                                        o->kind == OP_INPUT ? x->arithmetic.given : x->arithmetic.unit, exact);
+        w.range[i] =
+            x->place ? interval_whole()
+                     : rounded(&x->arithmetic, o->kind == OP_INPUT ? x->arithmetic.given : x->arithmetic.unit, exact);
     }
     return w.range;
 }

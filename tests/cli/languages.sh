@@ -349,8 +349,12 @@ __global__ void kernel(const double *x, double *a, const float *y, float *b)
     search(y, b, b + 2);
 }
 END
-code=-fsyntax-only # which reports host functions that a kernel calls
-[ -z "$FOOTPOINT_LONG" ] || code='-S -o /dev/null'
+# -fsyntax-only reports host functions that a kernel calls; with FOOTPOINT_LONG machine code of two kinds of faces, too.
+cat > "$work/device/compile" << 'END'
+for file; do :; done
+case $file in footpoint_quad4.cu | footpoint_tri3.cu | templates.cu) code=${FOOTPOINT_LONG:+-S} ;; esac
+clang++ ${code:--fsyntax-only} -o /dev/null "$@"
+END
 for target in 'hip gfx90a -nogpuinc -nogpulib' 'cuda sm_70 -nocudainc -nocudalib -D__CUDACC__'; do
     # shellcheck disable=SC2086
     set -- $target
@@ -361,7 +365,7 @@ for target in 'hip gfx90a -nogpuinc -nogpulib' 'cuda sm_70 -nocudainc -nocudalib
     files='*.cu'
     [ "$language" != cuda ] || [ -n "$FOOTPOINT_LONG$HEADERS" ] || files='footpoint_quad4*.cu footpoint_tri3*.cu templates.cu'
     # shellcheck disable=SC2086
-    (cd "$work/device" && ls $files | xargs -P "$(nproc)" -I{} clang++ "$@" -Iinclude -include words.h $code {}) \
+    (cd "$work/device" && ls $files | xargs -P "$(nproc)" -I{} sh compile "$@" -Iinclude -include words.h {}) \
         > "$work/log" 2>&1
     good=$?
     [ $good = 0 ] || head -20 "$work/log" | sed 's/^/# /'

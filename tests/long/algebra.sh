@@ -4,7 +4,7 @@
 for python in /usr/bin/python3 python3; do
     "$python" -c 'import sympy' 2> /dev/null && break
 done
-[ "$FOOTPOINT_ALGEBRA" = all ] || short='-size -150c'
+[ "$FOOTPOINT_ALGEBRA" = all ] || short='-size -130c'
 files=$(find tests/expressions -name '*.gen' $short | sort)
 "$python" tests/expressions/compare.py --tap --codegen "$BIN/footpoint-codegen" $files > "$work/table"
 status=$?

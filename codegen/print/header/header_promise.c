@@ -141,8 +141,8 @@ static struct way patch_way(const struct unit *u, const struct function *f, bool
         const struct measure_error e = held_out(start);
         const double promise = name_promise(u, f);
         const int most = patch_steps(e.p99, promise), usual = once ? most : patch_steps(e.mean, promise);
-        const double cost = operations_cost(&start->code.ops, &u->options.compile.cost) +
-                            PATCH_STEP_COST * usual + PATCH_RARE_COST * (most - usual);
+        const double cost = operations_cost(&start->code.ops, &u->options.compile.cost) + PATCH_STEP_COST * usual +
+                            PATCH_RARE_COST * (most - usual);
         if (cost < least) {
             least = cost;
             best = (struct way){start, usual};
