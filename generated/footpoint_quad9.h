@@ -3119,6 +3119,12 @@ FOOTPOINT_COLD void footpoint_detail_quad9_free_step(const footpoint_detail_quad
     h[1] = held[1] ? 0.0 : held[0] ? g / h22 : (h11 * g - h12 * f) / det;
 }
 
+/* Returns a / b. It is not inlined: gcc 12 with AVX divides before it has tested that b is not 0. */
+FOOTPOINT_COLD double footpoint_detail_quad9_ratio(double a, double b)
+{
+    return a / b;
+}
+
 /* Computes `to`, the end of the step h from z, or of the part of it in the face; a coordinate within 1e-15 of an
  * edge becomes the edge's. */
 FOOTPOINT_COLD void footpoint_detail_quad9_along_way(const footpoint_detail_quad9_anchor *z,
@@ -3132,12 +3138,12 @@ FOOTPOINT_COLD void footpoint_detail_quad9_along_way(const footpoint_detail_quad
     int i;
     for (i = 0; i < 2; i++) {
         if (way[i] < 0.0 && part * way[i] < low - z->at[i])
-            part = (low - z->at[i]) / way[i];
+            part = footpoint_detail_quad9_ratio(low - z->at[i], way[i]);
         if (4 == 4 && way[i] > 0.0 && part * way[i] > 1.0 - z->at[i])
-            part = (1.0 - z->at[i]) / way[i];
+            part = footpoint_detail_quad9_ratio(1.0 - z->at[i], way[i]);
     }
     if (4 == 3 && x + y > 0.0 && part * (x + y) > third)
-        part = footpoint_detail_greater(third, 0.0) / (x + y);
+        part = footpoint_detail_quad9_ratio(footpoint_detail_greater(third, 0.0), x + y);
     for (i = 0; i < 2; i++) {
         to[i] = z->at[i] + part * way[i];
         to[i] = to[i] - low < 1e-15 ? low : to[i] > 1.0 - 1e-15 ? 1.0 : to[i];

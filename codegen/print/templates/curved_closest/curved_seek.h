@@ -19,6 +19,12 @@ FOOTPOINT_COLD void footpoint_detail_KIND_free_step(const footpoint_detail_KIND_
     h[1] = held[1] ? 0.0 : held[0] ? g / h22 : (h11 * g - h12 * f) / det;
 }
 
+/* Returns a / b. It is not inlined: gcc 12 with AVX divides before it has tested that b is not 0. */
+FOOTPOINT_COLD REAL footpoint_detail_KIND_ratio(REAL a, REAL b)
+{
+    return a / b;
+}
+
 /* Computes `to`, the end of the step h from z, or of the part of it in the face; a coordinate within REAL_EDGE of an
  * edge becomes the edge's. */
 FOOTPOINT_COLD void footpoint_detail_KIND_along_way(const footpoint_detail_KIND_anchor *z,
@@ -32,12 +38,12 @@ FOOTPOINT_COLD void footpoint_detail_KIND_along_way(const footpoint_detail_KIND_
     int i;
     for (i = 0; i < 2; i++) {
         if (way[i] < 0.0 && part * way[i] < low - z->at[i])
-            part = (low - z->at[i]) / way[i];
+            part = footpoint_detail_KIND_ratio(low - z->at[i], way[i]);
         if (CORNERS == 4 && way[i] > 0.0 && part * way[i] > 1.0 - z->at[i])
-            part = (1.0 - z->at[i]) / way[i];
+            part = footpoint_detail_KIND_ratio(1.0 - z->at[i], way[i]);
     }
     if (CORNERS == 3 && x + y > 0.0 && part * (x + y) > third)
-        part = footpoint_detail_greater(third, 0.0) / (x + y);
+        part = footpoint_detail_KIND_ratio(footpoint_detail_greater(third, 0.0), x + y);
     for (i = 0; i < 2; i++) {
         to[i] = z->at[i] + part * way[i];
         to[i] = to[i] - low < REAL_EDGE ? low : to[i] > 1.0 - REAL_EDGE ? 1.0 : to[i];
