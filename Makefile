@@ -470,7 +470,7 @@ check: ## run the tests, less those that take long (some minutes; JOBS= at a tim
 
 # The bench for AVX2, and for this machine's best instruction set, which tests/timed/calls.sh asks.
 check-long: export ISAS := $(filter x86-64-v3 $(ISAS),$(ALL_ISAS))
-check-long: ## all tests on more cases, and the long ones; what compares times by itself (an hour; JOBS= at a time)
+check-long: ## all tests on more cases, and the long ones; what compares times by itself (over an hour; JOBS= at a time)
 	$(Q)+$(build_tests)
 	$(Q)FOOTPOINT_LONG=0.01 JOBS=$(JOBS) $(run_tests) $(long_in_order) --alone $(wildcard tests/timed/*.sh)
 

@@ -424,8 +424,8 @@ static void bilinear_normal(double (*x)[3], long double xi, long double eta, lon
     cross(u, v, n);
 }
 
-/* Draws a face with a short edge at its first corner, where |r_xi x r_eta| is about 1/1024 of its value 1/1024 of the way inside, and a slave
- * node. */
+/* Draws a slave node and a face with a short edge at its first corner, where |r_xi x r_eta| is about 1/1024 of its value
+ * 1/1024 of the way to the middle. */
 static void draw_short_edge(gsl_rng *stream, double x[5][3])
 {
     const double edge = pow(10, gsl_ran_flat(stream, -7, -5)), far = pow(10, gsl_ran_flat(stream, -4, 0.3));

@@ -8,6 +8,7 @@ unset FOOTPOINT_LONG
 sources() { # sources CONFIG: of the tests to run
     case $FOOTPOINT_CONFIGURATIONS$1 in
     *debug) ;;
+    allfma) ls tests/*/test_*.c tests/*/*/test_*.c | grep -v test_batch ;;
     all*) ls tests/*/test_*.c tests/*/*/test_*.c ;;
     asan) ls tests/codegen/test_*.c tests/evolve/test_*.c tests/paper/rivals/test_*.c tests/queries/test_*.c tests/rivals/test_*.c \
         tests/generated/test_promise_curved.c tests/generated/test_promise_patches.c tests/runtime/test_*.c \
