@@ -600,6 +600,12 @@ FOOTPOINT_PART void footpoint_detail_net_bend(const double m[4], const double n[
     }
 }
 
+/* Returns the greater of two numbers, but for rounding, without a branch: which of two bounds is greater cannot be predicted. */
+FOOTPOINT_PART double footpoint_detail_net_most(double a, double b)
+{
+    return 0.5 * ((a + b) + fabs(a - b));
+}
+
 /* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125, a, w and b, and their first and second
  * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
  * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
@@ -613,10 +619,11 @@ FOOTPOINT_PART void footpoint_detail_net_bounds(const double *const *n, footpoin
         6.0 * footpoint_detail_sum(t->x1) + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
     t->third[1] =
         6.0 * footpoint_detail_sum(t->y1) + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
-    t->tilt = footpoint_detail_greater(footpoint_detail_greater(footpoint_detail_dot(n[0], n[0]),
-                                                                footpoint_detail_dot(n[1], n[1])),
-                                       footpoint_detail_greater(footpoint_detail_dot(n[2], n[2]),
-                                                                footpoint_detail_dot(n[3], n[3])));
+    t->tilt =
+        footpoint_detail_net_most(footpoint_detail_net_most(footpoint_detail_dot(n[0], n[0]),
+                                                            footpoint_detail_dot(n[1], n[1])),
+                                  footpoint_detail_net_most(footpoint_detail_dot(n[2], n[2]),
+                                                            footpoint_detail_dot(n[3], n[3])));
     t->place = 29.0 * t->base;
     t->turn = 35.0 * t->base;
     t->far = t->base;
@@ -752,8 +759,8 @@ FOOTPOINT_PART double footpoint_detail_gregory_parts(const double *const *n,
             footpoint_detail_across(n[c], b[c][m], turn[c][m]);
             k[c][m] = footpoint_detail_dot(turn[c][m], b[c][1 - m]) * inverse;
             l[c][m] = along * inverse;
-            most = footpoint_detail_greater(most,
-                                            square[footpoint_detail_gregory_edge(c, m)] * inverse);
+            most = footpoint_detail_net_most(most,
+                                             square[footpoint_detail_gregory_edge(c, m)] * inverse);
         }
     }
     return most;
@@ -809,7 +816,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_shape(const double *const *n,
         t->twists[c] = footpoint_detail_sum(t->twist[c]);
         t->net.third[0] += sides;
         t->net.third[1] += sides;
-        longest = footpoint_detail_greater(longest, footpoint_detail_sum(bent[c].edge));
+        longest = footpoint_detail_net_most(longest, footpoint_detail_sum(bent[c].edge));
     }
     most *= longest;
     t->net.place += 18.0 * most;
@@ -932,8 +939,7 @@ FOOTPOINT_FN double footpoint_detail_gregory_rim(const footpoint_detail_gregory_
  * rounding takes the digits of second derivatives. */
 FOOTPOINT_PART double footpoint_detail_gregory_ball(double p, double q)
 {
-    const double most = 0.2475 - 0.125 * (fabs(p) + fabs(q));
-    return most < 0.125 ? most : 0.125;
+    return 0.2475 - footpoint_detail_net_most(0.125 * (fabs(p) + fabs(q)), 0.1225);
 }
 
 /* Computes the edges AB, DC, AD and BC, and d. */
@@ -978,24 +984,21 @@ FOOTPOINT_PART double footpoint_detail_gregory_kept(double p)
     return most > -1.0 ? most : -1.0;
 }
 
-/* Adds to (*p,*q), where r is the surface, Newton's step n and what the same Hessian makes of the slopes that it leaves if third
- * derivatives are nothing, so that the error falls by the third power until these tell.  Kept in the patch, without a proof. */
+/* Adds to (*p,*q), where r is the surface, Newton's step n and, by Chebyshev's method, what the same Hessian makes of the
+ * slopes that it leaves if third derivatives are nothing, so that the error falls by the third power until these tell. Kept in
+ * the patch, without a proof. */
 FOOTPOINT_PART void footpoint_detail_gregory_correct(const footpoint_detail_local *r,
                                                      const footpoint_detail_newton *n, double *p,
                                                      double *q)
 {
-    double f = 0.0, g = 0.0;
-    int k;
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const double u = r->u[k] + (n->s * r->uu[k] + n->t * r->uv[k]);
-        const double v = r->v[k] + (n->s * r->uv[k] + n->t * r->vv[k]);
-        const double d = r->d[k] - 0.5 * (n->s * (r->u[k] + u) + n->t * (r->v[k] + v));
-        f += u * d;
-        g += v * d;
-    }
-    *p = footpoint_detail_gregory_kept(*p + (n->s + (n->r22 * f - n->r12 * g) * n->per));
-    *q = footpoint_detail_gregory_kept(*q + (n->t + (n->r11 * g - n->r12 * f) * n->per));
+    const double uuu = 1.5 * footpoint_detail_dot(r->u, r->uu);
+    const double vvv = 1.5 * footpoint_detail_dot(r->v, r->vv);
+    const double uuv = 2.0 * footpoint_detail_dot(r->u, r->uv) + footpoint_detail_dot(r->v, r->uu);
+    const double uvv = 2.0 * footpoint_detail_dot(r->v, r->uv) + footpoint_detail_dot(r->u, r->vv);
+    const double ss = n->s * n->s, st = n->s * n->t, tt = n->t * n->t;
+    const double f = uuu * ss + uuv * st + 0.5 * uvv * tt, g = 0.5 * uuv * ss + uvv * st + vvv * tt;
+    *p = footpoint_detail_gregory_kept(*p + (n->s - (n->r22 * f - n->r12 * g) * n->per));
+    *q = footpoint_detail_gregory_kept(*q + (n->t - (n->r11 * g - n->r12 * f) * n->per));
 }
 
 /* Such a step from (*p,*q). */
@@ -1036,7 +1039,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_off(const footpoint_detail_net *t, 
 
 /* Takes Newton's step from a point in the patch, whose surface is r. The highest bit of the result is not set if a
  * minimum of the distance is proved to lie within `promise` of the answer, on the patch or on the surface that its
- * polynomials make beside it.
+ * polynomials make beside it. `ball`: at least 5/4 of the step, known before it where that saves time.
  *
  * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11
  * r12; r12 r22]; `step` = |H^-1 F|. Row i of the derivatives of H adds up to at most l_i = R_i A + 2 R A_i + |D| T_i,
@@ -1051,42 +1054,42 @@ FOOTPOINT_PART void footpoint_detail_gregory_off(const footpoint_detail_net *t, 
  * This keeps e below 0.07, so H is definite, too. The weak inequality of `det` keeps the rounding errors of w and of
  * the step below the margins of 0.72, 0.249 and 0.999. */
 FOOTPOINT_PART unsigned long long footpoint_detail_gregory_step(const footpoint_detail_gregory_terms *of,
-                                                                const footpoint_detail_local *r, double promise,
-                                                                double *p, double *q)
+                                                                const footpoint_detail_local *r, double ball,
+                                                                double promise, double *p, double *q)
 {
-    const double u = footpoint_detail_sum(r->u), v = footpoint_detail_sum(r->v);
-    const double d = footpoint_detail_sum(r->d), far = d + of->net.far, x = *p, y = *q;
+    const double x = *p, y = *q, unit = 1.12e-16;
     const double inner = footpoint_detail_gregory_inner(of, x, y);
+    const double third = of->net.third[0] + inner, fourth = of->net.third[1] + inner;
+    const double u = footpoint_detail_sum(r->u), v = footpoint_detail_sum(r->v);
+    const double d = footpoint_detail_sum(r->d), far = d + of->net.far,
+               uv = footpoint_detail_sum(r->uv);
+    const double a1 = footpoint_detail_sum(r->uu) + uv + ball * third;
+    const double a2 = footpoint_detail_sum(r->vv) + uv + ball * fourth, a = a1 + a2;
+    const double r1 = u + ball * a1, r2 = v + ball * a2, both = r1 + r2, away = d + ball * both;
+    const double l1 = r1 * a + 2.0 * both * a1 + away * third;
+    const double l2 = r2 * a + 2.0 * both * a2 + away * fourth;
+    double rows[2], mixed, step, s, t, off, w, e, room, other;
     footpoint_detail_newton n;
-    double mixed, step, s, t, rows[2], off, ball, h, room, other;
     footpoint_detail_newton_of(r, &n);
     mixed = fabs(n.r12);
-    step = footpoint_detail_greater(fabs(n.s), fabs(n.t));
+    footpoint_detail_gregory_off(&of->net, u, v, d, 0.0, rows);
+    off = footpoint_detail_net_most(n.r22 * rows[0] + mixed * rows[1],
+                                    n.r11 * rows[1] + mixed * rows[0]);
+    w = footpoint_detail_net_most(n.r22 * l1 + mixed * l2, mixed * l1 + n.r11 * l2);
+    e = 7000.0 * unit * (far * far) * (footpoint_detail_net_most(n.r11, n.r22) + mixed);
+    step = footpoint_detail_net_most(fabs(n.s), fabs(n.t));
     s = x + n.s;
     t = y + n.t;
     *p = footpoint_detail_gregory_kept(s);
     *q = footpoint_detail_gregory_kept(t);
-    footpoint_detail_gregory_off(&of->net, u, v, d, step, rows);
-    off = n.per * footpoint_detail_greater(n.r22 * rows[0] + mixed * rows[1],
-                                           n.r11 * rows[1] + mixed * rows[0]);
-    ball = 1.25 * (step + off);
-    {
-        const double uv = footpoint_detail_sum(r->uv);
-        const double third = of->net.third[0] + inner, fourth = of->net.third[1] + inner;
-        const double a1 = footpoint_detail_sum(r->uu) + uv + ball * third;
-        const double a2 = footpoint_detail_sum(r->vv) + uv + ball * fourth, a = a1 + a2;
-        const double r1 = u + ball * a1, r2 = v + ball * a2, both = r1 + r2, away = d + ball * both;
-        const double l1 = r1 * a + 2.0 * both * a1 + away * third;
-        const double l2 = r2 * a + 2.0 * both * a2 + away * fourth;
-        h = footpoint_detail_greater(n.r22 * l1 + mixed * l2, mixed * l1 + n.r11 * l2) * n.per *
-            (step + 2.0 * off);
-    }
-    room = footpoint_detail_greater(fabs(s - *p), fabs(t - *q)) + (0.72 * h * step + 1.2 * off);
+    e *= n.per;
+    off = n.per * off + 0.3 * e * step;
+    w *= n.per * (step + 2.0 * off);
+    room = footpoint_detail_net_most(fabs(s - *p), fabs(t - *q)) + (0.72 * w * step + 1.2 * off);
     room = 0.999 * promise - room;
-    other =
-        7000.0 * 1.12e-16 * n.per * (far * far) * (footpoint_detail_greater(n.r11, n.r22) + mixed);
-    other = 0.249 - (h + other);
+    other = 0.249 - (w + e);
     return footpoint_detail_bits(room) | footpoint_detail_bits(other) |
+           footpoint_detail_bits(ball - 1.25 * (step + off)) |
            footpoint_detail_bits(footpoint_detail_gregory_ball(x, y) - ball) |
            footpoint_detail_bits(1.01 - of->net.tilt) | footpoint_detail_bits(n.r11) |
            footpoint_detail_bits(n.det * (1.0 - 1e-6) - 1e-6 * (n.r12 * n.r12)) |
@@ -1115,7 +1118,8 @@ FOOTPOINT_APART unsigned long long footpoint_detail_gregory_patch(const double *
             footpoint_detail_newton_of(&r, &n);
             footpoint_detail_gregory_correct(&r, &n, xi, eta);
         } else {
-            doubt = footpoint_detail_gregory_step(&of, &r, promise, xi, eta);
+            doubt = footpoint_detail_gregory_step(&of, &r, 0.25 * footpoint_detail_gregory_ball(p, q),
+                                                  promise, xi, eta);
             goes_on = doubt & footpoint_detail_below(*xi - p, 0.25) &
                       footpoint_detail_below(*eta - q, 0.25) & footpoint_detail_below(*xi, 1.0) &
                       footpoint_detail_below(*eta, 1.0);
@@ -1239,7 +1243,9 @@ FOOTPOINT_COLD int footpoint_detail_gregory_steps(const footpoint_detail_gregory
             return FOOTPOINT_OUTSIDE;
         to[0] = at[0];
         to[1] = at[1];
-        if (!(footpoint_detail_gregory_step(of, &r, promise, &to[0], &to[1]) >> 63)) {
+        if (!(footpoint_detail_gregory_step(of, &r, 0.25 * footpoint_detail_gregory_ball(at[0], at[1]),
+                                            promise, &to[0], &to[1]) >>
+              63)) {
             at[0] = to[0];
             at[1] = to[1];
             return FOOTPOINT_OK;
@@ -1342,7 +1348,7 @@ FOOTPOINT_APART unsigned long long footpoint_detail_gregory_from(const double *c
     for (k = 0; k < 5 && doubt >> 63; k++) {
         footpoint_detail_gregory_local(&of, p, q, &r);
         footpoint_detail_newton_of(&r, &n);
-        step = footpoint_detail_greater(fabs(n.s), fabs(n.t));
+        step = footpoint_detail_net_most(fabs(n.s), fabs(n.t));
         if ((footpoint_detail_above(p + n.s, 1.0 + promise) |
              footpoint_detail_above(q + n.t, 1.0 + promise)) >>
             63)
@@ -1350,7 +1356,7 @@ FOOTPOINT_APART unsigned long long footpoint_detail_gregory_from(const double *c
         if (10.0 * step * step < promise) {
             *xi = p;
             *eta = q;
-            doubt = footpoint_detail_gregory_step(&of, &r, promise, xi, eta);
+            doubt = footpoint_detail_gregory_step(&of, &r, 1.5 * step + 1e-6, promise, xi, eta);
             n.s = *xi - p;
             n.t = *eta - q;
             p = *xi;
@@ -1636,6 +1642,12 @@ FOOTPOINT_PART void footpoint_detail_f_lane_net_bend(const float m[3], const flo
     }
 }
 
+/* Returns the greater of two numbers, but for rounding, without a branch: which of two bounds is greater cannot be predicted. */
+FOOTPOINT_PART float footpoint_detail_f_lane_net_most(float a, float b)
+{
+    return 0.5f * ((a + b) + fabsf(a - b));
+}
+
 /* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125f, a, w and b, and their first and second
  * derivatives, are at most 0.385f, 2.8f, 6.75f; 1, 2.25f, 2; 0.5f, 0.75f, 1.69f, the third derivatives 6, 0, 1.5. Thus
  * third[0] has 0.5f 6 + 2 0.75f 6.75f + 1.69f 2.8f = 17.9f of X1, 2 0.75f 2 + 1.69f 2.25f = 6.9f of X0; 1.5f 0.385f + 2 1.69f 2.8f +
@@ -1649,10 +1661,11 @@ FOOTPOINT_PART void footpoint_detail_f_lane_net_bounds(const float *const *n, fo
         6.0f * footpoint_detail_f_sum(t->x1) + 17.9f * X1 + 6.9f * X0 + 15.2f * Y1 + 10.7f * Y0 + 1.7f * m;
     t->third[1] =
         6.0f * footpoint_detail_f_sum(t->y1) + 17.9f * Y1 + 6.9f * Y0 + 15.2f * X1 + 10.7f * X0 + 5.1f * m;
-    t->tilt = footpoint_detail_f_greater(footpoint_detail_f_greater(footpoint_detail_f_dot(n[0], n[0]),
-                                                                    footpoint_detail_f_dot(n[1], n[1])),
-                                       footpoint_detail_f_greater(footpoint_detail_f_dot(n[2], n[2]),
-                                                                  footpoint_detail_f_dot(n[3], n[3])));
+    t->tilt =
+        footpoint_detail_f_lane_net_most(footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[0], n[0]),
+                                                                          footpoint_detail_f_dot(n[1], n[1])),
+                                  footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[2], n[2]),
+                                                                   footpoint_detail_f_dot(n[3], n[3])));
     t->place = 29.0f * t->base;
     t->turn = 35.0f * t->base;
     t->far = t->base;
@@ -2005,24 +2018,21 @@ FOOTPOINT_PART float footpoint_detail_f_gregory_lanes_kept(float p)
     return most > -1.0f ? most : -1.0f;
 }
 
-/* Adds to (*p,*q), where r is the surface, Newton's step n and what the same Hessian makes of the slopes that it leaves if third
- * derivatives are nothing, so that the error falls by the third power until these tell.  Kept in the patch, without a proof. */
+/* Adds to (*p,*q), where r is the surface, Newton's step n and, by Chebyshev's method, what the same Hessian makes of the
+ * slopes that it leaves if third derivatives are nothing, so that the error falls by the third power until these tell. Kept in
+ * the patch, without a proof. */
 FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_correct(const footpoint_detail_f_local *r,
                                                              const footpoint_detail_f_newton *n, float *p,
                                                              float *q)
 {
-    float f = 0.0f, g = 0.0f;
-    int k;
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const float u = r->u[k] + (n->s * r->uu[k] + n->t * r->uv[k]);
-        const float v = r->v[k] + (n->s * r->uv[k] + n->t * r->vv[k]);
-        const float d = r->d[k] - 0.5f * (n->s * (r->u[k] + u) + n->t * (r->v[k] + v));
-        f += u * d;
-        g += v * d;
-    }
-    *p = footpoint_detail_f_gregory_lanes_kept(*p + (n->s + (n->r22 * f - n->r12 * g) * n->per));
-    *q = footpoint_detail_f_gregory_lanes_kept(*q + (n->t + (n->r11 * g - n->r12 * f) * n->per));
+    const float uuu = 1.5f * footpoint_detail_f_dot(r->u, r->uu);
+    const float vvv = 1.5f * footpoint_detail_f_dot(r->v, r->vv);
+    const float uuv = 2.0f * footpoint_detail_f_dot(r->u, r->uv) + footpoint_detail_f_dot(r->v, r->uu);
+    const float uvv = 2.0f * footpoint_detail_f_dot(r->v, r->uv) + footpoint_detail_f_dot(r->u, r->vv);
+    const float ss = n->s * n->s, st = n->s * n->t, tt = n->t * n->t;
+    const float f = uuu * ss + uuv * st + 0.5f * uvv * tt, g = 0.5f * uuv * ss + uvv * st + vvv * tt;
+    *p = footpoint_detail_f_gregory_lanes_kept(*p + (n->s - (n->r22 * f - n->r12 * g) * n->per));
+    *q = footpoint_detail_f_gregory_lanes_kept(*q + (n->t - (n->r11 * g - n->r12 * f) * n->per));
 }
 
 /* Such a step from (*p,*q). */
@@ -2435,6 +2445,12 @@ FOOTPOINT_PART void footpoint_detail_lane_net_bend(const double m[3], const doub
     }
 }
 
+/* Returns the greater of two numbers, but for rounding, without a branch: which of two bounds is greater cannot be predicted. */
+FOOTPOINT_PART double footpoint_detail_lane_net_most(double a, double b)
+{
+    return 0.5 * ((a + b) + fabs(a - b));
+}
+
 /* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125, a, w and b, and their first and second
  * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
  * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
@@ -2448,10 +2464,11 @@ FOOTPOINT_PART void footpoint_detail_lane_net_bounds(const double *const *n, foo
         6.0 * footpoint_detail_sum(t->x1) + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
     t->third[1] =
         6.0 * footpoint_detail_sum(t->y1) + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
-    t->tilt = footpoint_detail_greater(footpoint_detail_greater(footpoint_detail_dot(n[0], n[0]),
-                                                                footpoint_detail_dot(n[1], n[1])),
-                                       footpoint_detail_greater(footpoint_detail_dot(n[2], n[2]),
-                                                                footpoint_detail_dot(n[3], n[3])));
+    t->tilt =
+        footpoint_detail_lane_net_most(footpoint_detail_lane_net_most(footpoint_detail_dot(n[0], n[0]),
+                                                                      footpoint_detail_dot(n[1], n[1])),
+                                  footpoint_detail_lane_net_most(footpoint_detail_dot(n[2], n[2]),
+                                                                 footpoint_detail_dot(n[3], n[3])));
     t->place = 29.0 * t->base;
     t->turn = 35.0 * t->base;
     t->far = t->base;
@@ -2804,24 +2821,21 @@ FOOTPOINT_PART double footpoint_detail_gregory_lanes_kept(double p)
     return most > -1.0 ? most : -1.0;
 }
 
-/* Adds to (*p,*q), where r is the surface, Newton's step n and what the same Hessian makes of the slopes that it leaves if third
- * derivatives are nothing, so that the error falls by the third power until these tell.  Kept in the patch, without a proof. */
+/* Adds to (*p,*q), where r is the surface, Newton's step n and, by Chebyshev's method, what the same Hessian makes of the
+ * slopes that it leaves if third derivatives are nothing, so that the error falls by the third power until these tell. Kept in
+ * the patch, without a proof. */
 FOOTPOINT_PART void footpoint_detail_gregory_lanes_correct(const footpoint_detail_local *r,
                                                            const footpoint_detail_newton *n, double *p,
                                                            double *q)
 {
-    double f = 0.0, g = 0.0;
-    int k;
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const double u = r->u[k] + (n->s * r->uu[k] + n->t * r->uv[k]);
-        const double v = r->v[k] + (n->s * r->uv[k] + n->t * r->vv[k]);
-        const double d = r->d[k] - 0.5 * (n->s * (r->u[k] + u) + n->t * (r->v[k] + v));
-        f += u * d;
-        g += v * d;
-    }
-    *p = footpoint_detail_gregory_lanes_kept(*p + (n->s + (n->r22 * f - n->r12 * g) * n->per));
-    *q = footpoint_detail_gregory_lanes_kept(*q + (n->t + (n->r11 * g - n->r12 * f) * n->per));
+    const double uuu = 1.5 * footpoint_detail_dot(r->u, r->uu);
+    const double vvv = 1.5 * footpoint_detail_dot(r->v, r->vv);
+    const double uuv = 2.0 * footpoint_detail_dot(r->u, r->uv) + footpoint_detail_dot(r->v, r->uu);
+    const double uvv = 2.0 * footpoint_detail_dot(r->v, r->uv) + footpoint_detail_dot(r->u, r->vv);
+    const double ss = n->s * n->s, st = n->s * n->t, tt = n->t * n->t;
+    const double f = uuu * ss + uuv * st + 0.5 * uvv * tt, g = 0.5 * uuv * ss + uvv * st + vvv * tt;
+    *p = footpoint_detail_gregory_lanes_kept(*p + (n->s - (n->r22 * f - n->r12 * g) * n->per));
+    *q = footpoint_detail_gregory_lanes_kept(*q + (n->t - (n->r11 * g - n->r12 * f) * n->per));
 }
 
 /* Such a step from (*p,*q). */
@@ -4375,6 +4389,12 @@ FOOTPOINT_COLD void footpoint_detail_gregory_free_step(const footpoint_detail_gr
     h[1] = held[1] ? 0.0 : held[0] ? g / h22 : (h11 * g - h12 * f) / det;
 }
 
+/* Returns a / b. It is not inlined: gcc 12 with AVX divides before it has tested that b is not 0. */
+FOOTPOINT_COLD double footpoint_detail_gregory_ratio(double a, double b)
+{
+    return a / b;
+}
+
 /* Computes `to`, the end of the step h from z, or of the part of it in the face; a coordinate within 1e-15 of an
  * edge becomes the edge's. */
 FOOTPOINT_COLD void footpoint_detail_gregory_along_way(const footpoint_detail_gregory_anchor *z,
@@ -4388,12 +4408,12 @@ FOOTPOINT_COLD void footpoint_detail_gregory_along_way(const footpoint_detail_gr
     int i;
     for (i = 0; i < 2; i++) {
         if (way[i] < 0.0 && part * way[i] < low - z->at[i])
-            part = (low - z->at[i]) / way[i];
+            part = footpoint_detail_gregory_ratio(low - z->at[i], way[i]);
         if (4 == 4 && way[i] > 0.0 && part * way[i] > 1.0 - z->at[i])
-            part = (1.0 - z->at[i]) / way[i];
+            part = footpoint_detail_gregory_ratio(1.0 - z->at[i], way[i]);
     }
     if (4 == 3 && x + y > 0.0 && part * (x + y) > third)
-        part = footpoint_detail_greater(third, 0.0) / (x + y);
+        part = footpoint_detail_gregory_ratio(footpoint_detail_greater(third, 0.0), x + y);
     for (i = 0; i < 2; i++) {
         to[i] = z->at[i] + part * way[i];
         to[i] = to[i] - low < 1e-15 ? low : to[i] > 1.0 - 1e-15 ? 1.0 : to[i];
@@ -5905,7 +5925,7 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_facet_detail_checked(c
     unsigned long long flaw;
     flaw = footpoint_paper_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
-        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_FACET_PROMISE, 1, FOOTPOINT_PAPER_GREGORY_FACET_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
+        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_FACET_PROMISE, 0, FOOTPOINT_PAPER_GREGORY_FACET_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
                                               gap);
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
 }
@@ -6057,9 +6077,9 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_smooth_detail_checked(
                                                                                 double *eta, double *gap)
 {
     unsigned long long flaw;
-    flaw = footpoint_paper_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw = footpoint_paper_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
-        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_SMOOTH_PROMISE, 1, FOOTPOINT_PAPER_GREGORY_SMOOTH_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
+        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_SMOOTH_PROMISE, 0, FOOTPOINT_PAPER_GREGORY_SMOOTH_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
                                               gap);
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
 }
@@ -6540,7 +6560,7 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_exact_detail_checked(c
     unsigned long long flaw;
     flaw = footpoint_paper_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
-        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_EXACT_PROMISE, 2, FOOTPOINT_PAPER_GREGORY_EXACT_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
+        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_EXACT_PROMISE, 1, FOOTPOINT_PAPER_GREGORY_EXACT_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
                                               gap);
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
 }
@@ -6702,9 +6722,9 @@ FOOTPOINT_PART unsigned long long footpoint_paper_gregory_full_detail_checked(co
                                                                               double *eta, double *gap)
 {
     unsigned long long flaw;
-    flaw = footpoint_paper_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
+    flaw = footpoint_paper_gregory_smooth_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, xi, eta);
     if (way != 1)
-        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_FULL_PROMISE, 2, FOOTPOINT_PAPER_GREGORY_FULL_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
+        return footpoint_detail_gregory_patch(x, FOOTPOINT_PAPER_GREGORY_FULL_PROMISE, 1, FOOTPOINT_PAPER_GREGORY_FULL_PROMISE < 1e-6, FOOTPOINT_PAPER_GREGORY_LEAST, xi, eta,
                                               gap);
     return flaw | footpoint_detail_gregory_gap(x, *xi, *eta, FOOTPOINT_PAPER_GREGORY_LEAST, gap);
 }

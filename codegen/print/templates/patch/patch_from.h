@@ -29,7 +29,7 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL 
     for (k = 0; k < 5 && doubt >> REAL_TOP; k++) {
         footpoint_detail_KIND_local(&of, p, q, &r);
         footpoint_detail_newton_of(&r, &n);
-        step = footpoint_detail_greater(fabs(n.s), fabs(n.t));
+        step = footpoint_detail_net_most(fabs(n.s), fabs(n.t));
         if ((footpoint_detail_above(p + n.s, 1.0 + promise) |
              footpoint_detail_above(q + n.t, 1.0 + promise)) >>
             REAL_TOP)
@@ -37,7 +37,7 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL 
         if (10.0 * step * step < promise) {
             *xi = p;
             *eta = q;
-            doubt = footpoint_detail_KIND_step(&of, &r, promise, xi, eta);
+            doubt = footpoint_detail_KIND_step(&of, &r, 1.5 * step + 1e-6, promise, xi, eta);
             n.s = *xi - p;
             n.t = *eta - q;
             p = *xi;

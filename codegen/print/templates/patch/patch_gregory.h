@@ -63,8 +63,8 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *n,
             footpoint_detail_across(n[c], b[c][m], turn[c][m]);
             k[c][m] = footpoint_detail_dot(turn[c][m], b[c][1 - m]) * inverse;
             l[c][m] = along * inverse;
-            most = footpoint_detail_greater(most,
-                                            square[footpoint_detail_gregory_edge(c, m)] * inverse);
+            most = footpoint_detail_net_most(most,
+                                             square[footpoint_detail_gregory_edge(c, m)] * inverse);
         }
     }
     return most;
@@ -120,7 +120,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_shape(const REAL *const *n,
         t->twists[c] = footpoint_detail_sum(t->twist[c]);
         t->net.third[0] += sides;
         t->net.third[1] += sides;
-        longest = footpoint_detail_greater(longest, footpoint_detail_sum(bent[c].edge));
+        longest = footpoint_detail_net_most(longest, footpoint_detail_sum(bent[c].edge));
     }
     most *= longest;
     t->net.place += 18.0 * most;
@@ -243,6 +243,5 @@ FOOTPOINT_FN REAL footpoint_detail_gregory_rim(const footpoint_detail_gregory_te
  * rounding takes the digits of second derivatives. */
 FOOTPOINT_PART REAL footpoint_detail_gregory_ball(REAL p, REAL q)
 {
-    const REAL most = 0.2475 - 0.125 * (fabs(p) + fabs(q));
-    return most < 0.125 ? most : 0.125;
+    return 0.2475 - footpoint_detail_net_most(0.125 * (fabs(p) + fabs(q)), 0.1225);
 }

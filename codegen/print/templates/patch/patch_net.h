@@ -39,6 +39,12 @@ FOOTPOINT_PART void footpoint_detail_NET_bend(const REAL m[ROOM], const REAL n[R
     }
 }
 
+/* Returns the greater of two numbers, but for rounding, without a branch: which of two bounds is greater cannot be predicted. */
+FOOTPOINT_PART REAL footpoint_detail_NET_most(REAL a, REAL b)
+{
+    return 0.5 * ((a + b) + fabs(a - b));
+}
+
 /* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125, a, w and b, and their first and second
  * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
  * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
@@ -52,10 +58,11 @@ FOOTPOINT_PART void footpoint_detail_NET_bounds(const REAL *const *n, footpoint_
         6.0 * footpoint_detail_sum(t->x1) + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
     t->third[1] =
         6.0 * footpoint_detail_sum(t->y1) + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
-    t->tilt = footpoint_detail_greater(footpoint_detail_greater(footpoint_detail_dot(n[0], n[0]),
-                                                                footpoint_detail_dot(n[1], n[1])),
-                                       footpoint_detail_greater(footpoint_detail_dot(n[2], n[2]),
-                                                                footpoint_detail_dot(n[3], n[3])));
+    t->tilt =
+        footpoint_detail_NET_most(footpoint_detail_NET_most(footpoint_detail_dot(n[0], n[0]),
+                                                            footpoint_detail_dot(n[1], n[1])),
+                                  footpoint_detail_NET_most(footpoint_detail_dot(n[2], n[2]),
+                                                            footpoint_detail_dot(n[3], n[3])));
     t->place = 29.0 * t->base;
     t->turn = 35.0 * t->base;
     t->far = t->base;

@@ -7,24 +7,21 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_kept(REAL p)
     return most > -1.0 ? most : -1.0;
 }
 
-/* Adds to (*p,*q), where r is the surface, Newton's step n and what the same Hessian makes of the slopes that it leaves if third
- * derivatives are nothing, so that the error falls by the third power until these tell.  Kept in the patch, without a proof. */
+/* Adds to (*p,*q), where r is the surface, Newton's step n and, by Chebyshev's method, what the same Hessian makes of the
+ * slopes that it leaves if third derivatives are nothing, so that the error falls by the third power until these tell. Kept in
+ * the patch, without a proof. */
 FOOTPOINT_PART void footpoint_detail_KIND_correct(const footpoint_detail_local *r,
                                                   const footpoint_detail_newton *n, REAL *p,
                                                   REAL *q)
 {
-    REAL f = 0.0, g = 0.0;
-    int k;
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const REAL u = r->u[k] + (n->s * r->uu[k] + n->t * r->uv[k]);
-        const REAL v = r->v[k] + (n->s * r->uv[k] + n->t * r->vv[k]);
-        const REAL d = r->d[k] - 0.5 * (n->s * (r->u[k] + u) + n->t * (r->v[k] + v));
-        f += u * d;
-        g += v * d;
-    }
-    *p = footpoint_detail_KIND_kept(*p + (n->s + (n->r22 * f - n->r12 * g) * n->per));
-    *q = footpoint_detail_KIND_kept(*q + (n->t + (n->r11 * g - n->r12 * f) * n->per));
+    const REAL uuu = 1.5 * footpoint_detail_dot(r->u, r->uu);
+    const REAL vvv = 1.5 * footpoint_detail_dot(r->v, r->vv);
+    const REAL uuv = 2.0 * footpoint_detail_dot(r->u, r->uv) + footpoint_detail_dot(r->v, r->uu);
+    const REAL uvv = 2.0 * footpoint_detail_dot(r->v, r->uv) + footpoint_detail_dot(r->u, r->vv);
+    const REAL ss = n->s * n->s, st = n->s * n->t, tt = n->t * n->t;
+    const REAL f = uuu * ss + uuv * st + 0.5 * uvv * tt, g = 0.5 * uuv * ss + uvv * st + vvv * tt;
+    *p = footpoint_detail_KIND_kept(*p + (n->s - (n->r22 * f - n->r12 * g) * n->per));
+    *q = footpoint_detail_KIND_kept(*q + (n->t - (n->r11 * g - n->r12 * f) * n->per));
 }
 
 /* Such a step from (*p,*q). */

@@ -109,7 +109,9 @@ FOOTPOINT_COLD int footpoint_detail_KIND_steps(const footpoint_detail_KIND_terms
             return FOOTPOINT_OUTSIDE;
         to[0] = at[0];
         to[1] = at[1];
-        if (!(footpoint_detail_KIND_step(of, &r, promise, &to[0], &to[1]) >> REAL_TOP)) {
+        if (!(footpoint_detail_KIND_step(of, &r, 0.25 * footpoint_detail_KIND_ball(at[0], at[1]),
+                                         promise, &to[0], &to[1]) >>
+              REAL_TOP)) {
             at[0] = to[0];
             at[1] = to[1];
             return FOOTPOINT_OK;
