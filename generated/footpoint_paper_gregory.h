@@ -600,7 +600,7 @@ FOOTPOINT_PART void footpoint_detail_net_bend(const double m[4], const double n[
     }
 }
 
-/* Returns the greater of two numbers, but for rounding, without a branch: which of two bounds is greater cannot be predicted. */
+/* Returns the greater of two numbers up to rounding. It has no branch, which would be mispredicted half of the time. */
 FOOTPOINT_PART double footpoint_detail_net_most(double a, double b)
 {
     return 0.5 * ((a + b) + fabs(a - b));
@@ -984,9 +984,8 @@ FOOTPOINT_PART double footpoint_detail_gregory_kept(double p)
     return most > -1.0 ? most : -1.0;
 }
 
-/* Adds to (*p,*q), where r is the surface, Newton's step n and, by Chebyshev's method, what the same Hessian makes of the
- * slopes that it leaves if third derivatives are nothing, so that the error falls by the third power until these tell. Kept in
- * the patch, without a proof. */
+/* Takes a step of Chebyshev's method from (*p,*q), whose surface is r: Newton's step n and a second-order correction without
+ * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved. */
 FOOTPOINT_PART void footpoint_detail_gregory_correct(const footpoint_detail_local *r,
                                                      const footpoint_detail_newton *n, double *p,
                                                      double *q)
@@ -1039,7 +1038,8 @@ FOOTPOINT_PART void footpoint_detail_gregory_off(const footpoint_detail_net *t, 
 
 /* Takes Newton's step from a point in the patch, whose surface is r. The highest bit of the result is not set if a
  * minimum of the distance is proved to lie within `promise` of the answer, on the patch or on the surface that its
- * polynomials make beside it. `ball`: at least 5/4 of the step, known before it where that saves time.
+ * polynomials make beside it. `ball` is at least 5/4 of the step; if it does not depend on
+ * the step, bounds are computed beside it.
  *
  * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11
  * r12; r12 r22]; `step` = |H^-1 F|. Row i of the derivatives of H adds up to at most l_i = R_i A + 2 R A_i + |D| T_i,
@@ -1068,7 +1068,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_gregory_step(const footpoint_
     const double r1 = u + ball * a1, r2 = v + ball * a2, both = r1 + r2, away = d + ball * both;
     const double l1 = r1 * a + 2.0 * both * a1 + away * third;
     const double l2 = r2 * a + 2.0 * both * a2 + away * fourth;
-    double rows[2], mixed, step, s, t, off, w, e, room, other;
+    double rows[2], mixed, step, s, t, off, w, e, h, room, other;
     footpoint_detail_newton n;
     footpoint_detail_newton_of(r, &n);
     mixed = fabs(n.r12);
@@ -1084,10 +1084,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_gregory_step(const footpoint_
     *q = footpoint_detail_gregory_kept(t);
     e *= n.per;
     off = n.per * off + 0.3 * e * step;
-    w *= n.per * (step + 2.0 * off);
-    room = footpoint_detail_net_most(fabs(s - *p), fabs(t - *q)) + (0.72 * w * step + 1.2 * off);
+    h = w * n.per * (step + 2.0 * off);
+    room = footpoint_detail_net_most(fabs(s - *p), fabs(t - *q)) + (0.72 * h * step + 1.2 * off);
     room = 0.999 * promise - room;
-    other = 0.249 - (w + e);
+    other = 0.249 - (h + e);
     return footpoint_detail_bits(room) | footpoint_detail_bits(other) |
            footpoint_detail_bits(ball - 1.25 * (step + off)) |
            footpoint_detail_bits(footpoint_detail_gregory_ball(x, y) - ball) |
@@ -1642,7 +1642,7 @@ FOOTPOINT_PART void footpoint_detail_f_lane_net_bend(const float m[3], const flo
     }
 }
 
-/* Returns the greater of two numbers, but for rounding, without a branch: which of two bounds is greater cannot be predicted. */
+/* Returns the greater of two numbers up to rounding. It has no branch, which would be mispredicted half of the time. */
 FOOTPOINT_PART float footpoint_detail_f_lane_net_most(float a, float b)
 {
     return 0.5f * ((a + b) + fabsf(a - b));
@@ -2018,9 +2018,8 @@ FOOTPOINT_PART float footpoint_detail_f_gregory_lanes_kept(float p)
     return most > -1.0f ? most : -1.0f;
 }
 
-/* Adds to (*p,*q), where r is the surface, Newton's step n and, by Chebyshev's method, what the same Hessian makes of the
- * slopes that it leaves if third derivatives are nothing, so that the error falls by the third power until these tell. Kept in
- * the patch, without a proof. */
+/* Takes a step of Chebyshev's method from (*p,*q), whose surface is r: Newton's step n and a second-order correction without
+ * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved. */
 FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_correct(const footpoint_detail_f_local *r,
                                                              const footpoint_detail_f_newton *n, float *p,
                                                              float *q)
@@ -2445,7 +2444,7 @@ FOOTPOINT_PART void footpoint_detail_lane_net_bend(const double m[3], const doub
     }
 }
 
-/* Returns the greater of two numbers, but for rounding, without a branch: which of two bounds is greater cannot be predicted. */
+/* Returns the greater of two numbers up to rounding. It has no branch, which would be mispredicted half of the time. */
 FOOTPOINT_PART double footpoint_detail_lane_net_most(double a, double b)
 {
     return 0.5 * ((a + b) + fabs(a - b));
@@ -2821,9 +2820,8 @@ FOOTPOINT_PART double footpoint_detail_gregory_lanes_kept(double p)
     return most > -1.0 ? most : -1.0;
 }
 
-/* Adds to (*p,*q), where r is the surface, Newton's step n and, by Chebyshev's method, what the same Hessian makes of the
- * slopes that it leaves if third derivatives are nothing, so that the error falls by the third power until these tell. Kept in
- * the patch, without a proof. */
+/* Takes a step of Chebyshev's method from (*p,*q), whose surface is r: Newton's step n and a second-order correction without
+ * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved. */
 FOOTPOINT_PART void footpoint_detail_gregory_lanes_correct(const footpoint_detail_local *r,
                                                            const footpoint_detail_newton *n, double *p,
                                                            double *q)

@@ -218,8 +218,8 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Compares all bounds with the errors found. The largest ratio is told only: it is that of the weakest attack, and each bound is
- * within 101 times the worst sample. */
+/* Compares all bounds with the errors found. The largest ratio belongs to the weakest attack, so it is printed but not limited;
+ * check_claims() limits each bound to 101 times the worst sample. */
 static void check_ratios(double *ratio)
 {
     const size_t most = (size_t)OUTPUTS * FUNCTIONS;

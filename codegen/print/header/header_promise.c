@@ -130,7 +130,7 @@ struct way {
 };
 
 /* Returns the cheapest way. With `once`, the first proof must nearly always succeed, as other pairs are searched anew;
- * otherwise it is repeated at the cost of a step, and most errors are below a third of the mean. */
+ * otherwise it is repeated at the cost of a step, and a third of the mean is taken for the usual error. */
 static struct way patch_way(const struct unit *u, const struct function *f, bool once)
 {
     struct way best = {f, 0};

@@ -39,7 +39,7 @@ FOOTPOINT_PART void footpoint_detail_NET_bend(const REAL m[ROOM], const REAL n[R
     }
 }
 
-/* Returns the greater of two numbers, but for rounding, without a branch: which of two bounds is greater cannot be predicted. */
+/* Returns the greater of two numbers up to rounding. It has no branch, which would be mispredicted half of the time. */
 FOOTPOINT_PART REAL footpoint_detail_NET_most(REAL a, REAL b)
 {
     return 0.5 * ((a + b) + fabs(a - b));

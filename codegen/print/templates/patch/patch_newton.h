@@ -7,9 +7,8 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_kept(REAL p)
     return most > -1.0 ? most : -1.0;
 }
 
-/* Adds to (*p,*q), where r is the surface, Newton's step n and, by Chebyshev's method, what the same Hessian makes of the
- * slopes that it leaves if third derivatives are nothing, so that the error falls by the third power until these tell. Kept in
- * the patch, without a proof. */
+/* Takes a step of Chebyshev's method from (*p,*q), whose surface is r: Newton's step n and a second-order correction without
+ * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved. */
 FOOTPOINT_PART void footpoint_detail_KIND_correct(const footpoint_detail_local *r,
                                                   const footpoint_detail_newton *n, REAL *p,
                                                   REAL *q)

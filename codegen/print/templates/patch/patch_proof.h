@@ -14,7 +14,8 @@ FOOTPOINT_PART void footpoint_detail_KIND_off(const footpoint_detail_net *t, REA
 
 /* Takes Newton's step from a point in the patch, whose surface is r. The highest bit of the result is not set if a
  * minimum of the distance is proved to lie within `promise` of the answer, on the patch or on the surface that its
- * polynomials make beside it. `ball`: at least 5/4 of the step, known before it where that saves time.
+ * polynomials make beside it. `ball` is at least 5/4 of the step; if it does not depend on
+ * the step, bounds are computed beside it.
  *
  * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11
  * r12; r12 r22]; `step` = |H^-1 F|. Row i of the derivatives of H adds up to at most l_i = R_i A + 2 R A_i + |D| T_i,
@@ -43,7 +44,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
     const REAL r1 = u + ball * a1, r2 = v + ball * a2, both = r1 + r2, away = d + ball * both;
     const REAL l1 = r1 * a + 2.0 * both * a1 + away * third;
     const REAL l2 = r2 * a + 2.0 * both * a2 + away * fourth;
-    REAL rows[2], mixed, step, s, t, off, w, e, room, other;
+    REAL rows[2], mixed, step, s, t, off, w, e, h, room, other;
     footpoint_detail_newton n;
     footpoint_detail_newton_of(r, &n);
     mixed = fabs(n.r12);
@@ -59,10 +60,10 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
     *q = footpoint_detail_KIND_kept(t);
     e *= n.per;
     off = n.per * off + 0.3 * e * step;
-    w *= n.per * (step + 2.0 * off);
-    room = footpoint_detail_net_most(fabs(s - *p), fabs(t - *q)) + (0.72 * w * step + 1.2 * off);
+    h = w * n.per * (step + 2.0 * off);
+    room = footpoint_detail_net_most(fabs(s - *p), fabs(t - *q)) + (0.72 * h * step + 1.2 * off);
     room = 0.999 * promise - room;
-    other = 0.249 - (w + e);
+    other = 0.249 - (h + e);
     return footpoint_detail_bits(room) | footpoint_detail_bits(other) |
            footpoint_detail_bits(ball - 1.25 * (step + off)) |
            footpoint_detail_bits(footpoint_detail_KIND_ball(x, y) - ball) |
