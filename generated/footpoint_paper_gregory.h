@@ -511,6 +511,10 @@ enum { FOOTPOINT_DETAIL_PACK = 2, FOOTPOINT_DETAIL_THREE = 2, FOOTPOINT_DETAIL_F
 #endif
 typedef double footpoint_detail_pack __attribute__((vector_size(FOOTPOINT_DETAIL_PACK * sizeof(double)),
                                                     aligned(sizeof(double)), may_alias));
+typedef double footpoint_detail_pair
+    __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double)), may_alias));
+typedef unsigned long long footpoint_detail_pack_bits
+    __attribute__((vector_size(FOOTPOINT_DETAIL_PACK * sizeof(double))));
 #else
 enum { FOOTPOINT_DETAIL_THREE = 3, FOOTPOINT_DETAIL_FOUR = 4 };
 typedef double footpoint_detail_pack;
@@ -524,6 +528,16 @@ FOOTPOINT_PART const footpoint_detail_pack *footpoint_detail_of(const double *a)
 FOOTPOINT_PART footpoint_detail_pack *footpoint_detail_into(double *a)
 {
     return (footpoint_detail_pack *)(void *)a;
+}
+
+/* Returns absolute values. */
+FOOTPOINT_PART footpoint_detail_pack footpoint_detail_absolute(footpoint_detail_pack a)
+{
+#ifdef FOOTPOINT_DETAIL_PACKED
+    return (footpoint_detail_pack)((footpoint_detail_pack_bits)a & ~(unsigned long long)0 >> 1);
+#else
+    return fabs(a);
+#endif
 }
 
 /* Writes all at once: vectors are read from memory without delay only if they were written as vectors. */
@@ -544,15 +558,26 @@ FOOTPOINT_PART void footpoint_detail_join(double x, double y, double z, double w
 #endif
 }
 
-/* Computes the cross product c. */
+/* Copies three coordinates, and adds a 0. */
+FOOTPOINT_PART void footpoint_detail_load(const double x[3], double a[4])
+{
+#if defined(FOOTPOINT_DETAIL_PACKED)
+    const footpoint_detail_pair first = *(const footpoint_detail_pair *)(const void *)x;
+    footpoint_detail_join(first[0], first[1], x[2], 0.0, a);
+#else
+    footpoint_detail_join(x[0], x[1], x[2], 0.0, a);
+#endif
+}
+
+/* Computes the cross product c; the fourth numbers are 0. */
 FOOTPOINT_PART void footpoint_detail_across(const double a[4], const double b[4], double c[4])
 {
     double a1[4], a2[4], b1[4], b2[4];
     int i;
-    footpoint_detail_join(a[1], a[2], a[0], 0.0, a1);
-    footpoint_detail_join(a[2], a[0], a[1], 0.0, a2);
-    footpoint_detail_join(b[1], b[2], b[0], 0.0, b1);
-    footpoint_detail_join(b[2], b[0], b[1], 0.0, b2);
+    footpoint_detail_join(a[1], a[2], a[0], a[3], a1);
+    footpoint_detail_join(a[2], a[0], a[1], a[3], a2);
+    footpoint_detail_join(b[1], b[2], b[0], b[3], b1);
+    footpoint_detail_join(b[2], b[0], b[1], b[3], b2);
     FOOTPOINT_UNROLL
     for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++)
         footpoint_detail_into(c)[i] = footpoint_detail_of(a1)[i] * footpoint_detail_of(b2)[i] -
@@ -562,6 +587,27 @@ FOOTPOINT_PART void footpoint_detail_across(const double a[4], const double b[4]
 
 #ifndef FOOTPOINT_DETAIL_NET
 #define FOOTPOINT_DETAIL_NET
+/* Computes the bounds third[] of a net (patch_net.h) from x1, y1, X1, Y1, X0, Y0 and m. For |p| <= 1.125, a, w and b, and their first and second
+ * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
+ * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
+ * 0.75 6.75 = 15.2 of Y1, 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7 of Y0, 1.69 of m; third[1] has 1.5 1.125 + 2 1.69 of m. */
+FOOTPOINT_PART void footpoint_detail_net_sizes(const double *const v[7], double third[2])
+{
+    double by_p[4], by_q[4];
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        const footpoint_detail_pack x1 = footpoint_detail_absolute(footpoint_detail_of(v[0])[i]), y1 = footpoint_detail_absolute(footpoint_detail_of(v[1])[i]);
+        const footpoint_detail_pack X1 = footpoint_detail_absolute(footpoint_detail_of(v[2])[i]), Y1 = footpoint_detail_absolute(footpoint_detail_of(v[3])[i]);
+        const footpoint_detail_pack X0 = footpoint_detail_absolute(footpoint_detail_of(v[4])[i]), Y0 = footpoint_detail_absolute(footpoint_detail_of(v[5])[i]);
+        const footpoint_detail_pack m = footpoint_detail_absolute(footpoint_detail_of(v[6])[i]);
+        footpoint_detail_into(by_p)[i] = 6.0 * x1 + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
+        footpoint_detail_into(by_q)[i] = 6.0 * y1 + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
+    }
+    third[0] = by_p[0] + by_p[1] + by_p[2];
+    third[1] = by_q[0] + by_q[1] + by_q[2];
+}
+
 /* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
  * (1 - p^2) (p x1 - x0), and X, y and Y likewise: x bends the mean of the edges AB and DC, X is the excess bend of DC
  * over AB. d = xS - r0.
@@ -606,29 +652,6 @@ FOOTPOINT_PART double footpoint_detail_net_most(double a, double b)
     return 0.5 * ((a + b) + fabs(a - b));
 }
 
-/* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125, a, w and b, and their first and second
- * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
- * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
- * 0.75 6.75 = 15.2 of Y1, 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7 of Y0, 1.69 of m; third[1] has 1.5 1.125 + 2 1.69 of m. */
-FOOTPOINT_PART void footpoint_detail_net_bounds(const double *const *n, footpoint_detail_net *t)
-{
-    const double X0 = footpoint_detail_sum(t->X0), X1 = footpoint_detail_sum(t->X1);
-    const double Y0 = footpoint_detail_sum(t->Y0), Y1 = footpoint_detail_sum(t->Y1);
-    const double m = footpoint_detail_sum(t->m);
-    t->third[0] =
-        6.0 * footpoint_detail_sum(t->x1) + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
-    t->third[1] =
-        6.0 * footpoint_detail_sum(t->y1) + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
-    t->tilt =
-        footpoint_detail_net_most(footpoint_detail_net_most(footpoint_detail_dot(n[0], n[0]),
-                                                            footpoint_detail_dot(n[1], n[1])),
-                                  footpoint_detail_net_most(footpoint_detail_dot(n[2], n[2]),
-                                                            footpoint_detail_dot(n[3], n[3])));
-    t->place = 29.0 * t->base;
-    t->turn = 35.0 * t->base;
-    t->far = t->base;
-}
-
 /* Computes the net from edges and normals n. */
 FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n,
                                                 footpoint_detail_net_bent bent[4],
@@ -636,6 +659,8 @@ FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n,
 {
     const footpoint_detail_net_bent *const ab = &bent[0], *const dc = &bent[1],
                                            *const ad = &bent[2], *const bc = &bent[3];
+    const double *const bent_by[7] = {t->x1, t->y1, t->X1, t->Y1, t->X0, t->Y0, t->m};
+    double edges[4];
     int i;
     footpoint_detail_net_bend(n[0], n[1], &bent[0]);
     footpoint_detail_net_bend(n[3], n[2], &bent[1]);
@@ -658,10 +683,20 @@ FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n,
         footpoint_detail_into(t->y0)[i] = 0.5 * (k + K);
         footpoint_detail_into(t->Y1)[i] = (O - o) - 0.5 * footpoint_detail_of(t->m)[i];
         footpoint_detail_into(t->Y0)[i] = K - k;
+        footpoint_detail_into(edges)
+        [i] = (footpoint_detail_absolute(footpoint_detail_of(ab->edge)[i]) + footpoint_detail_absolute(footpoint_detail_of(dc->edge)[i])) +
+              (footpoint_detail_absolute(footpoint_detail_of(ad->edge)[i]) + footpoint_detail_absolute(footpoint_detail_of(bc->edge)[i]));
     }
-    t->base = (footpoint_detail_sum(ab->edge) + footpoint_detail_sum(dc->edge)) +
-              (footpoint_detail_sum(ad->edge) + footpoint_detail_sum(bc->edge));
-    footpoint_detail_net_bounds(n, t);
+    t->base = edges[0] + edges[1] + edges[2];
+    footpoint_detail_net_sizes(bent_by, t->third);
+    t->tilt =
+        footpoint_detail_net_most(footpoint_detail_net_most(footpoint_detail_dot(n[0], n[0]),
+                                                            footpoint_detail_dot(n[1], n[1])),
+                                  footpoint_detail_net_most(footpoint_detail_dot(n[2], n[2]),
+                                                            footpoint_detail_dot(n[3], n[3])));
+    t->place = 29.0 * t->base;
+    t->turn = 35.0 * t->base;
+    t->far = t->base;
 }
 
 /* Computes tangents and second derivatives at (p,q), and d = xS - r. */
@@ -690,6 +725,20 @@ FOOTPOINT_PART void footpoint_detail_net_local(const footpoint_detail_net *t, do
         footpoint_detail_into(l->uu)[i] = 2.0 * footpoint_detail_of(t->x0)[i] - p6 * footpoint_detail_of(t->x1)[i] + g * X2 + b2 * Y;
         footpoint_detail_into(l->uv)[i] = g1 * X1 + b1 * Y1;
         footpoint_detail_into(l->vv)[i] = 2.0 * footpoint_detail_of(t->y0)[i] - q6 * footpoint_detail_of(t->y1)[i] + b * Y2 + g2 * X;
+    }
+}
+
+/* Updates d, u and v after a step (s,t), to its second order. */
+FOOTPOINT_PART void footpoint_detail_net_follow(double s, double t, footpoint_detail_local *r)
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        const footpoint_detail_pack u = s * footpoint_detail_of(r->uu)[i] + t * footpoint_detail_of(r->uv)[i],
+                     v = s * footpoint_detail_of(r->uv)[i] + t * footpoint_detail_of(r->vv)[i];
+        footpoint_detail_into(r->d)[i] -= s * (footpoint_detail_of(r->u)[i] + 0.5 * u) + t * (footpoint_detail_of(r->v)[i] + 0.5 * v);
+        footpoint_detail_into(r->u)[i] += u;
+        footpoint_detail_into(r->v)[i] += v;
     }
 }
 #endif
@@ -753,11 +802,15 @@ FOOTPOINT_PART double footpoint_detail_gregory_parts(const double *const *n,
         const double along = footpoint_detail_dot(b[c][0], b[c][1]);
         const double s = footpoint_detail_dot(b[c][0], b[c][0]);
         const double t = footpoint_detail_dot(b[c][1], b[c][1]), per = 1.0 / (s * t);
+        double volume;
+        footpoint_detail_across(n[c], b[c][0], turn[c][0]);
+        footpoint_detail_across(n[c], b[c][1], turn[c][1]);
+        volume = footpoint_detail_dot(turn[c][0], b[c][1]);
+        k[c][0] = volume * (per * t);
+        k[c][1] = -volume * (per * s);
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const double inverse = per * (m ? s : t);
-            footpoint_detail_across(n[c], b[c][m], turn[c][m]);
-            k[c][m] = footpoint_detail_dot(turn[c][m], b[c][1 - m]) * inverse;
             l[c][m] = along * inverse;
             most = footpoint_detail_net_most(most,
                                              square[footpoint_detail_gregory_edge(c, m)] * inverse);
@@ -780,14 +833,14 @@ FOOTPOINT_PART void footpoint_detail_gregory_shape(const double *const *n,
                                                    footpoint_detail_net_bent bent[4],
                                                    footpoint_detail_gregory_terms *t)
 {
-    double b[4][2][4], turn[4][2][4], k[4][2], l[4][2], most, longest = 0.0;
+    double b[4][2][4], turn[4][2][4], k[4][2], l[4][2], sides[4], third, most, longest = 0.0;
     int c, m, i;
     footpoint_detail_net_expand(n, bent, &t->net);
     footpoint_detail_gregory_handles(bent, b);
     most = footpoint_detail_gregory_parts(n, bent, b, turn, k, l);
     FOOTPOINT_UNROLL
     for (c = 0; c < 4; c++) {
-        double made[2][4], sides;
+        double made[2][4];
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const int o = m ? 3 - c : c ^ 1, ends = m ? c > 1 : c == 1 || c == 2;
@@ -811,14 +864,18 @@ FOOTPOINT_PART void footpoint_detail_gregory_shape(const double *const *n,
             const footpoint_detail_pack side = footpoint_detail_of(made[1])[i];
             footpoint_detail_into(t->side[c])[i] = side;
             footpoint_detail_into(t->twist[c])[i] = footpoint_detail_of(made[0])[i] - side;
+            if (c)
+                footpoint_detail_into(sides)[i] += footpoint_detail_absolute(side);
+            else
+                footpoint_detail_into(sides)[i] = footpoint_detail_absolute(side);
         }
-        sides = 2.2 * footpoint_detail_sum(t->side[c]);
         t->twists[c] = footpoint_detail_sum(t->twist[c]);
-        t->net.third[0] += sides;
-        t->net.third[1] += sides;
         longest = footpoint_detail_net_most(longest, footpoint_detail_sum(bent[c].edge));
     }
     most *= longest;
+    third = 2.2 * (sides[0] + sides[1] + sides[2]);
+    t->net.third[0] += third;
+    t->net.third[1] += third;
     t->net.place += 18.0 * most;
     t->net.turn += 60.0 * most;
     t->net.far += 2.5 * most;
@@ -972,7 +1029,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_expand(const double *const *x,
     int k;
     FOOTPOINT_UNROLL
     for (k = 0; k < 9; k++)
-        footpoint_detail_join(x[k][0], x[k][1], x[k][2], 0.0, y[k]);
+        footpoint_detail_load(x[k], y[k]);
     footpoint_detail_gregory_edges(y, bent, &t->net);
     footpoint_detail_gregory_shape(n, bent, t);
 }
@@ -985,7 +1042,8 @@ FOOTPOINT_PART double footpoint_detail_gregory_kept(double p)
 }
 
 /* Takes a step of Chebyshev's method from (*p,*q), whose surface is r: Newton's step n and a second-order correction without
- * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved. */
+ * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved.
+ * Numerators are computed beside the division of n, without waiting for it. */
 FOOTPOINT_PART void footpoint_detail_gregory_correct(const footpoint_detail_local *r,
                                                      const footpoint_detail_newton *n, double *p,
                                                      double *q)
@@ -994,10 +1052,12 @@ FOOTPOINT_PART void footpoint_detail_gregory_correct(const footpoint_detail_loca
     const double vvv = 1.5 * footpoint_detail_dot(r->v, r->vv);
     const double uuv = 2.0 * footpoint_detail_dot(r->u, r->uv) + footpoint_detail_dot(r->v, r->uu);
     const double uvv = 2.0 * footpoint_detail_dot(r->v, r->uv) + footpoint_detail_dot(r->u, r->vv);
-    const double ss = n->s * n->s, st = n->s * n->t, tt = n->t * n->t;
-    const double f = uuu * ss + uuv * st + 0.5 * uvv * tt, g = 0.5 * uuv * ss + uvv * st + vvv * tt;
-    *p = footpoint_detail_gregory_kept(*p + (n->s - (n->r22 * f - n->r12 * g) * n->per));
-    *q = footpoint_detail_gregory_kept(*q + (n->t - (n->r11 * g - n->r12 * f) * n->per));
+    const double f = footpoint_detail_dot(r->u, r->d), g = footpoint_detail_dot(r->v, r->d);
+    const double s = n->r22 * f - n->r12 * g, t = n->r11 * g - n->r12 * f;
+    const double ss = s * s, st = s * t, tt = t * t, square = n->per * n->per;
+    const double a = uuu * ss + uuv * st + 0.5 * uvv * tt, b = 0.5 * uuv * ss + uvv * st + vvv * tt;
+    *p = footpoint_detail_gregory_kept(*p + n->per * (s - square * (n->r22 * a - n->r12 * b)));
+    *q = footpoint_detail_gregory_kept(*q + n->per * (t - square * (n->r11 * b - n->r12 * a)));
 }
 
 /* Such a step from (*p,*q). */
@@ -1009,19 +1069,6 @@ FOOTPOINT_PART void footpoint_detail_gregory_bare(const footpoint_detail_gregory
     footpoint_detail_gregory_local(of, *p, *q, &r);
     footpoint_detail_newton_of(&r, &n);
     footpoint_detail_gregory_correct(&r, &n, p, q);
-}
-
-/* Updates d, u and v after a step (s,t), to its second order. */
-FOOTPOINT_PART void footpoint_detail_gregory_follow(double s, double t, footpoint_detail_local *r)
-{
-    int k;
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const double u = s * r->uu[k] + t * r->uv[k], v = s * r->uv[k] + t * r->vv[k];
-        r->d[k] -= s * (r->u[k] + 0.5 * u) + t * (r->v[k] + 0.5 * v);
-        r->u[k] += u;
-        r->v[k] += v;
-    }
 }
 
 /* Bounds the effect of rounding on (r_xi . D, r_eta . D), and per step; see footpoint_detail_net. Dot products and
@@ -1108,9 +1155,9 @@ FOOTPOINT_APART unsigned long long footpoint_detail_gregory_patch(const double *
     footpoint_detail_newton n;
     unsigned long long doubt = 0, goes_on = (unsigned long long)1 << 63;
     double p = 0.0, q = 0.0, size;
-    int k;
+    int k = 0;
     footpoint_detail_gregory_expand(x, &of);
-    for (k = 0; k < bare + 3 && goes_on >> 63; k++) {
+    do {
         p = *xi;
         q = *eta;
         footpoint_detail_gregory_local(&of, p, q, &r);
@@ -1120,13 +1167,15 @@ FOOTPOINT_APART unsigned long long footpoint_detail_gregory_patch(const double *
         } else {
             doubt = footpoint_detail_gregory_step(&of, &r, 0.25 * footpoint_detail_gregory_ball(p, q),
                                                   promise, xi, eta);
-            goes_on = doubt & footpoint_detail_below(*xi - p, 0.25) &
+            if (!(doubt >> 63))
+                break;
+            goes_on = footpoint_detail_below(*xi - p, 0.25) &
                       footpoint_detail_below(*eta - q, 0.25) & footpoint_detail_below(*xi, 1.0) &
                       footpoint_detail_below(*eta, 1.0);
         }
-    }
+    } while (++k < bare + 3 && goes_on >> 63);
     if (near)
-        footpoint_detail_gregory_follow(*xi - p, *eta - q, &r);
+        footpoint_detail_net_follow(*xi - p, *eta - q, &r);
     else
         footpoint_detail_gregory_local(&of, *xi, *eta, &r);
     size = of.net.base * of.net.base;
@@ -1365,7 +1414,7 @@ FOOTPOINT_APART unsigned long long footpoint_detail_gregory_from(const double *c
             footpoint_detail_gregory_correct(&r, &n, &p, &q);
     }
     if (step < 1e-3)
-        footpoint_detail_gregory_follow(n.s, n.t, &r);
+        footpoint_detail_net_follow(n.s, n.t, &r);
     else
         footpoint_detail_gregory_local(&of, p, q, &r);
     size = of.net.base * of.net.base;
@@ -1604,6 +1653,17 @@ FOOTPOINT_PART void footpoint_detail_f_newton_of(const footpoint_detail_f_local 
 
 #ifndef FOOTPOINT_DETAIL_LANE_NET_F
 #define FOOTPOINT_DETAIL_LANE_NET_F
+FOOTPOINT_PART void footpoint_detail_f_lane_net_sizes(const float *const v[7], float third[2])
+{
+    const float X1 = footpoint_detail_f_sum(v[2]), Y1 = footpoint_detail_f_sum(v[3]);
+    const float X0 = footpoint_detail_f_sum(v[4]), Y0 = footpoint_detail_f_sum(v[5]);
+    const float m = footpoint_detail_f_sum(v[6]);
+    third[0] =
+        6.0f * footpoint_detail_f_sum(v[0]) + 17.9f * X1 + 6.9f * X0 + 15.2f * Y1 + 10.7f * Y0 + 1.7f * m;
+    third[1] =
+        6.0f * footpoint_detail_f_sum(v[1]) + 17.9f * Y1 + 6.9f * Y0 + 15.2f * X1 + 10.7f * X0 + 5.1f * m;
+}
+
 /* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
  * (1 - p^2) (p x1 - x0), and X, y and Y likewise: x bends the mean of the edges AB and DC, X is the excess bend of DC
  * over AB. d = xS - r0.
@@ -1648,29 +1708,6 @@ FOOTPOINT_PART float footpoint_detail_f_lane_net_most(float a, float b)
     return 0.5f * ((a + b) + fabsf(a - b));
 }
 
-/* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125f, a, w and b, and their first and second
- * derivatives, are at most 0.385f, 2.8f, 6.75f; 1, 2.25f, 2; 0.5f, 0.75f, 1.69f, the third derivatives 6, 0, 1.5. Thus
- * third[0] has 0.5f 6 + 2 0.75f 6.75f + 1.69f 2.8f = 17.9f of X1, 2 0.75f 2 + 1.69f 2.25f = 6.9f of X0; 1.5f 0.385f + 2 1.69f 2.8f +
- * 0.75f 6.75f = 15.2f of Y1, 1.5f + 2 1.69f 2.25f + 0.75f 2 = 10.7f of Y0, 1.69f of m; third[1] has 1.5f 1.125f + 2 1.69f of m. */
-FOOTPOINT_PART void footpoint_detail_f_lane_net_bounds(const float *const *n, footpoint_detail_f_lane_net *t)
-{
-    const float X0 = footpoint_detail_f_sum(t->X0), X1 = footpoint_detail_f_sum(t->X1);
-    const float Y0 = footpoint_detail_f_sum(t->Y0), Y1 = footpoint_detail_f_sum(t->Y1);
-    const float m = footpoint_detail_f_sum(t->m);
-    t->third[0] =
-        6.0f * footpoint_detail_f_sum(t->x1) + 17.9f * X1 + 6.9f * X0 + 15.2f * Y1 + 10.7f * Y0 + 1.7f * m;
-    t->third[1] =
-        6.0f * footpoint_detail_f_sum(t->y1) + 17.9f * Y1 + 6.9f * Y0 + 15.2f * X1 + 10.7f * X0 + 5.1f * m;
-    t->tilt =
-        footpoint_detail_f_lane_net_most(footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[0], n[0]),
-                                                                          footpoint_detail_f_dot(n[1], n[1])),
-                                  footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[2], n[2]),
-                                                                   footpoint_detail_f_dot(n[3], n[3])));
-    t->place = 29.0f * t->base;
-    t->turn = 35.0f * t->base;
-    t->far = t->base;
-}
-
 /* Computes the net from edges and normals n. */
 FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const float *const *n,
                                                        footpoint_detail_f_lane_net_bent bent[4],
@@ -1678,6 +1715,8 @@ FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const float *const *n,
 {
     const footpoint_detail_f_lane_net_bent *const ab = &bent[0], *const dc = &bent[1],
                                            *const ad = &bent[2], *const bc = &bent[3];
+    const float *const bent_by[7] = {t->x1, t->y1, t->X1, t->Y1, t->X0, t->Y0, t->m};
+    float edges[3];
     int i;
     footpoint_detail_f_lane_net_bend(n[0], n[1], &bent[0]);
     footpoint_detail_f_lane_net_bend(n[3], n[2], &bent[1]);
@@ -1700,10 +1739,20 @@ FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const float *const *n,
         (t->y0)[i] = 0.5f * (k + K);
         (t->Y1)[i] = (O - o) - 0.5f * (t->m)[i];
         (t->Y0)[i] = K - k;
+        (edges)
+        [i] = (fabsf((ab->edge)[i]) + fabsf((dc->edge)[i])) +
+              (fabsf((ad->edge)[i]) + fabsf((bc->edge)[i]));
     }
-    t->base = (footpoint_detail_f_sum(ab->edge) + footpoint_detail_f_sum(dc->edge)) +
-              (footpoint_detail_f_sum(ad->edge) + footpoint_detail_f_sum(bc->edge));
-    footpoint_detail_f_lane_net_bounds(n, t);
+    t->base = edges[0] + edges[1] + edges[2];
+    footpoint_detail_f_lane_net_sizes(bent_by, t->third);
+    t->tilt =
+        footpoint_detail_f_lane_net_most(footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[0], n[0]),
+                                                                          footpoint_detail_f_dot(n[1], n[1])),
+                                  footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[2], n[2]),
+                                                                   footpoint_detail_f_dot(n[3], n[3])));
+    t->place = 29.0f * t->base;
+    t->turn = 35.0f * t->base;
+    t->far = t->base;
 }
 
 /* Computes tangents and second derivatives at (p,q), and d = xS - r. */
@@ -1732,6 +1781,20 @@ FOOTPOINT_PART void footpoint_detail_f_lane_net_local(const footpoint_detail_f_l
         (l->uu)[i] = 2.0f * (t->x0)[i] - p6 * (t->x1)[i] + g * X2 + b2 * Y;
         (l->uv)[i] = g1 * X1 + b1 * Y1;
         (l->vv)[i] = 2.0f * (t->y0)[i] - q6 * (t->y1)[i] + b * Y2 + g2 * X;
+    }
+}
+
+/* Updates d, u and v after a step (s,t), to its second order. */
+FOOTPOINT_PART void footpoint_detail_f_lane_net_follow(float s, float t, footpoint_detail_f_local *r)
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const float u = s * (r->uu)[i] + t * (r->uv)[i],
+                     v = s * (r->uv)[i] + t * (r->vv)[i];
+        (r->d)[i] -= s * ((r->u)[i] + 0.5f * u) + t * ((r->v)[i] + 0.5f * v);
+        (r->u)[i] += u;
+        (r->v)[i] += v;
     }
 }
 #endif
@@ -2019,7 +2082,8 @@ FOOTPOINT_PART float footpoint_detail_f_gregory_lanes_kept(float p)
 }
 
 /* Takes a step of Chebyshev's method from (*p,*q), whose surface is r: Newton's step n and a second-order correction without
- * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved. */
+ * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved.
+ * Numerators are computed beside the division of n, without waiting for it. */
 FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_correct(const footpoint_detail_f_local *r,
                                                              const footpoint_detail_f_newton *n, float *p,
                                                              float *q)
@@ -2028,10 +2092,12 @@ FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_correct(const footpoint_det
     const float vvv = 1.5f * footpoint_detail_f_dot(r->v, r->vv);
     const float uuv = 2.0f * footpoint_detail_f_dot(r->u, r->uv) + footpoint_detail_f_dot(r->v, r->uu);
     const float uvv = 2.0f * footpoint_detail_f_dot(r->v, r->uv) + footpoint_detail_f_dot(r->u, r->vv);
-    const float ss = n->s * n->s, st = n->s * n->t, tt = n->t * n->t;
-    const float f = uuu * ss + uuv * st + 0.5f * uvv * tt, g = 0.5f * uuv * ss + uvv * st + vvv * tt;
-    *p = footpoint_detail_f_gregory_lanes_kept(*p + (n->s - (n->r22 * f - n->r12 * g) * n->per));
-    *q = footpoint_detail_f_gregory_lanes_kept(*q + (n->t - (n->r11 * g - n->r12 * f) * n->per));
+    const float f = footpoint_detail_f_dot(r->u, r->d), g = footpoint_detail_f_dot(r->v, r->d);
+    const float s = n->r22 * f - n->r12 * g, t = n->r11 * g - n->r12 * f;
+    const float ss = s * s, st = s * t, tt = t * t, square = n->per * n->per;
+    const float a = uuu * ss + uuv * st + 0.5f * uvv * tt, b = 0.5f * uuv * ss + uvv * st + vvv * tt;
+    *p = footpoint_detail_f_gregory_lanes_kept(*p + n->per * (s - square * (n->r22 * a - n->r12 * b)));
+    *q = footpoint_detail_f_gregory_lanes_kept(*q + n->per * (t - square * (n->r11 * b - n->r12 * a)));
 }
 
 /* Such a step from (*p,*q). */
@@ -2043,19 +2109,6 @@ FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_bare(const footpoint_detail
     footpoint_detail_f_gregory_lanes_local(of, *p, *q, &r);
     footpoint_detail_f_newton_of(&r, &n);
     footpoint_detail_f_gregory_lanes_correct(&r, &n, p, q);
-}
-
-/* Updates d, u and v after a step (s,t), to its second order. */
-FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_follow(float s, float t, footpoint_detail_f_local *r)
-{
-    int k;
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const float u = s * r->uu[k] + t * r->uv[k], v = s * r->uv[k] + t * r->vv[k];
-        r->d[k] -= s * (r->u[k] + 0.5f * u) + t * (r->v[k] + 0.5f * v);
-        r->u[k] += u;
-        r->v[k] += v;
-    }
 }
 
 /* Proves a step as patch_proof.h does, but counts rounding term by term, in units of 1.5f u: in single precision edges
@@ -2235,7 +2288,7 @@ footpoint_detail_f_gregory_lanes_proofs(footpoint_detail_f_block *FOOTPOINT_REST
         footpoint_detail_f_gregory_lanes_take(b, t, l, &one);
         footpoint_detail_f_gregory_lanes_local(&one.of, p, q, &r);
         doubt |= footpoint_detail_f_gregory_lanes_lane(&one.of, &r, promise, &xi, &eta);
-        footpoint_detail_f_gregory_lanes_follow(xi - p, eta - q, &r);
+        footpoint_detail_f_lane_net_follow(xi - p, eta - q, &r);
         doubt |= footpoint_detail_f_gregory_lanes_rise(&r, &gap);
         b->p[l] = xi;
         b->q[l] = eta;
@@ -2406,6 +2459,17 @@ FOOTPOINT_APART void footpoint_detail_f_gregory_lanes_run(footpoint_detail_f_gre
 
 #ifndef FOOTPOINT_DETAIL_LANE_NET
 #define FOOTPOINT_DETAIL_LANE_NET
+FOOTPOINT_PART void footpoint_detail_lane_net_sizes(const double *const v[7], double third[2])
+{
+    const double X1 = footpoint_detail_sum(v[2]), Y1 = footpoint_detail_sum(v[3]);
+    const double X0 = footpoint_detail_sum(v[4]), Y0 = footpoint_detail_sum(v[5]);
+    const double m = footpoint_detail_sum(v[6]);
+    third[0] =
+        6.0 * footpoint_detail_sum(v[0]) + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
+    third[1] =
+        6.0 * footpoint_detail_sum(v[1]) + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
+}
+
 /* r = r0 + p e + q f + x(p) + b(q) (p m + X(p)) + y(q) + b(p) Y(q), p = xi, q = eta, b(p) = (3 p - p^3) / 4, where x is
  * (1 - p^2) (p x1 - x0), and X, y and Y likewise: x bends the mean of the edges AB and DC, X is the excess bend of DC
  * over AB. d = xS - r0.
@@ -2450,29 +2514,6 @@ FOOTPOINT_PART double footpoint_detail_lane_net_most(double a, double b)
     return 0.5 * ((a + b) + fabs(a - b));
 }
 
-/* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125, a, w and b, and their first and second
- * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
- * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
- * 0.75 6.75 = 15.2 of Y1, 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7 of Y0, 1.69 of m; third[1] has 1.5 1.125 + 2 1.69 of m. */
-FOOTPOINT_PART void footpoint_detail_lane_net_bounds(const double *const *n, footpoint_detail_lane_net *t)
-{
-    const double X0 = footpoint_detail_sum(t->X0), X1 = footpoint_detail_sum(t->X1);
-    const double Y0 = footpoint_detail_sum(t->Y0), Y1 = footpoint_detail_sum(t->Y1);
-    const double m = footpoint_detail_sum(t->m);
-    t->third[0] =
-        6.0 * footpoint_detail_sum(t->x1) + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
-    t->third[1] =
-        6.0 * footpoint_detail_sum(t->y1) + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
-    t->tilt =
-        footpoint_detail_lane_net_most(footpoint_detail_lane_net_most(footpoint_detail_dot(n[0], n[0]),
-                                                                      footpoint_detail_dot(n[1], n[1])),
-                                  footpoint_detail_lane_net_most(footpoint_detail_dot(n[2], n[2]),
-                                                                 footpoint_detail_dot(n[3], n[3])));
-    t->place = 29.0 * t->base;
-    t->turn = 35.0 * t->base;
-    t->far = t->base;
-}
-
 /* Computes the net from edges and normals n. */
 FOOTPOINT_PART void footpoint_detail_lane_net_expand(const double *const *n,
                                                      footpoint_detail_lane_net_bent bent[4],
@@ -2480,6 +2521,8 @@ FOOTPOINT_PART void footpoint_detail_lane_net_expand(const double *const *n,
 {
     const footpoint_detail_lane_net_bent *const ab = &bent[0], *const dc = &bent[1],
                                            *const ad = &bent[2], *const bc = &bent[3];
+    const double *const bent_by[7] = {t->x1, t->y1, t->X1, t->Y1, t->X0, t->Y0, t->m};
+    double edges[3];
     int i;
     footpoint_detail_lane_net_bend(n[0], n[1], &bent[0]);
     footpoint_detail_lane_net_bend(n[3], n[2], &bent[1]);
@@ -2502,10 +2545,20 @@ FOOTPOINT_PART void footpoint_detail_lane_net_expand(const double *const *n,
         (t->y0)[i] = 0.5 * (k + K);
         (t->Y1)[i] = (O - o) - 0.5 * (t->m)[i];
         (t->Y0)[i] = K - k;
+        (edges)
+        [i] = (fabs((ab->edge)[i]) + fabs((dc->edge)[i])) +
+              (fabs((ad->edge)[i]) + fabs((bc->edge)[i]));
     }
-    t->base = (footpoint_detail_sum(ab->edge) + footpoint_detail_sum(dc->edge)) +
-              (footpoint_detail_sum(ad->edge) + footpoint_detail_sum(bc->edge));
-    footpoint_detail_lane_net_bounds(n, t);
+    t->base = edges[0] + edges[1] + edges[2];
+    footpoint_detail_lane_net_sizes(bent_by, t->third);
+    t->tilt =
+        footpoint_detail_lane_net_most(footpoint_detail_lane_net_most(footpoint_detail_dot(n[0], n[0]),
+                                                                      footpoint_detail_dot(n[1], n[1])),
+                                  footpoint_detail_lane_net_most(footpoint_detail_dot(n[2], n[2]),
+                                                                 footpoint_detail_dot(n[3], n[3])));
+    t->place = 29.0 * t->base;
+    t->turn = 35.0 * t->base;
+    t->far = t->base;
 }
 
 /* Computes tangents and second derivatives at (p,q), and d = xS - r. */
@@ -2534,6 +2587,20 @@ FOOTPOINT_PART void footpoint_detail_lane_net_local(const footpoint_detail_lane_
         (l->uu)[i] = 2.0 * (t->x0)[i] - p6 * (t->x1)[i] + g * X2 + b2 * Y;
         (l->uv)[i] = g1 * X1 + b1 * Y1;
         (l->vv)[i] = 2.0 * (t->y0)[i] - q6 * (t->y1)[i] + b * Y2 + g2 * X;
+    }
+}
+
+/* Updates d, u and v after a step (s,t), to its second order. */
+FOOTPOINT_PART void footpoint_detail_lane_net_follow(double s, double t, footpoint_detail_local *r)
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        const double u = s * (r->uu)[i] + t * (r->uv)[i],
+                     v = s * (r->uv)[i] + t * (r->vv)[i];
+        (r->d)[i] -= s * ((r->u)[i] + 0.5 * u) + t * ((r->v)[i] + 0.5 * v);
+        (r->u)[i] += u;
+        (r->v)[i] += v;
     }
 }
 #endif
@@ -2821,7 +2888,8 @@ FOOTPOINT_PART double footpoint_detail_gregory_lanes_kept(double p)
 }
 
 /* Takes a step of Chebyshev's method from (*p,*q), whose surface is r: Newton's step n and a second-order correction without
- * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved. */
+ * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved.
+ * Numerators are computed beside the division of n, without waiting for it. */
 FOOTPOINT_PART void footpoint_detail_gregory_lanes_correct(const footpoint_detail_local *r,
                                                            const footpoint_detail_newton *n, double *p,
                                                            double *q)
@@ -2830,10 +2898,12 @@ FOOTPOINT_PART void footpoint_detail_gregory_lanes_correct(const footpoint_detai
     const double vvv = 1.5 * footpoint_detail_dot(r->v, r->vv);
     const double uuv = 2.0 * footpoint_detail_dot(r->u, r->uv) + footpoint_detail_dot(r->v, r->uu);
     const double uvv = 2.0 * footpoint_detail_dot(r->v, r->uv) + footpoint_detail_dot(r->u, r->vv);
-    const double ss = n->s * n->s, st = n->s * n->t, tt = n->t * n->t;
-    const double f = uuu * ss + uuv * st + 0.5 * uvv * tt, g = 0.5 * uuv * ss + uvv * st + vvv * tt;
-    *p = footpoint_detail_gregory_lanes_kept(*p + (n->s - (n->r22 * f - n->r12 * g) * n->per));
-    *q = footpoint_detail_gregory_lanes_kept(*q + (n->t - (n->r11 * g - n->r12 * f) * n->per));
+    const double f = footpoint_detail_dot(r->u, r->d), g = footpoint_detail_dot(r->v, r->d);
+    const double s = n->r22 * f - n->r12 * g, t = n->r11 * g - n->r12 * f;
+    const double ss = s * s, st = s * t, tt = t * t, square = n->per * n->per;
+    const double a = uuu * ss + uuv * st + 0.5 * uvv * tt, b = 0.5 * uuv * ss + uvv * st + vvv * tt;
+    *p = footpoint_detail_gregory_lanes_kept(*p + n->per * (s - square * (n->r22 * a - n->r12 * b)));
+    *q = footpoint_detail_gregory_lanes_kept(*q + n->per * (t - square * (n->r11 * b - n->r12 * a)));
 }
 
 /* Such a step from (*p,*q). */
@@ -2845,19 +2915,6 @@ FOOTPOINT_PART void footpoint_detail_gregory_lanes_bare(const footpoint_detail_g
     footpoint_detail_gregory_lanes_local(of, *p, *q, &r);
     footpoint_detail_newton_of(&r, &n);
     footpoint_detail_gregory_lanes_correct(&r, &n, p, q);
-}
-
-/* Updates d, u and v after a step (s,t), to its second order. */
-FOOTPOINT_PART void footpoint_detail_gregory_lanes_follow(double s, double t, footpoint_detail_local *r)
-{
-    int k;
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 3; k++) {
-        const double u = s * r->uu[k] + t * r->uv[k], v = s * r->uv[k] + t * r->vv[k];
-        r->d[k] -= s * (r->u[k] + 0.5 * u) + t * (r->v[k] + 0.5 * v);
-        r->u[k] += u;
-        r->v[k] += v;
-    }
 }
 
 /* Proves a step as patch_proof.h does, but counts rounding term by term, in units of 1.5 u: in single precision edges
@@ -3038,7 +3095,7 @@ footpoint_detail_gregory_lanes_proofs(footpoint_detail_block *FOOTPOINT_RESTRICT
         footpoint_detail_gregory_lanes_take(b, t, l, &one);
         footpoint_detail_gregory_lanes_local(&one.of, p, q, &r);
         doubt |= footpoint_detail_gregory_lanes_lane(&one.of, &r, promise, &xi, &eta);
-        footpoint_detail_gregory_lanes_follow(xi - p, eta - q, &r);
+        footpoint_detail_lane_net_follow(xi - p, eta - q, &r);
         doubt |= footpoint_detail_gregory_lanes_rise(&r, &gap);
         b->p[l] = xi;
         b->q[l] = eta;

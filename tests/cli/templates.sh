@@ -28,8 +28,8 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
         done
         case $kind in tri*) shape=triangle corners=3 ;; *) shape=square corners=4 ;; esac
         case $kind in
-        *_lanes) net=lane_net three='TRIPLE REAL,ROOM 3,THREE 3,OF ,INTO ' ;;
-        *) net=net three='TRIPLE footpoint_detail_pack,ROOM 4,THREE FOOTPOINT_DETAIL_THREE,OF footpoint_detail_of,INTO footpoint_detail_into' ;;
+        *_lanes) net=lane_net three='TRIPLE REAL,ROOM 3,THREE 3,OF ,INTO ,ABSOLUTE fabs' ;;
+        *) net=net three='TRIPLE footpoint_detail_pack,ROOM 4,THREE FOOTPOINT_DETAIL_THREE,OF footpoint_detail_of,INTO footpoint_detail_into,ABSOLUTE footpoint_detail_absolute' ;;
         esac
         words="PROMISE VECTORS SEGMENT_VECTORS NODES CORNERS COORDINATES SCALED_NODES SCALABLE COLUMNS ROWS SEGMENT_ROWS NODE_NAMES NODE_PARAMETERS REACH_TO_GROWTH VECTOR_ROWS LEAST_SIZE"
         printf '%s\n' "#define VECTORS $((others + 1))" "#define SEGMENT_VECTORS $others" "#define NODES $nodes" "#define CORNERS $corners" "#define SCALABLE 1" "#define PROMISE 1e-7" \
@@ -39,7 +39,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
             "#define VECTOR_ROWS $(echo "$rows" | sed 's/p/x/g')"
         echo "$three" | tr , '\n' | sed 's/^/#define /'
         printf '%s\n' $named | sed "h; s/KIND/$kind/; s/SHAPE/$shape/; s/PREFIX/$kind/; s/NET/$net/; s/LANES_//; s/^NAME/${kind}_name/; H; x; s/\n/ /; s/^/#define /"
-        words="$words $named TRIPLE ROOM THREE OF INTO"
+        words="$words $named TRIPLE ROOM THREE OF INTO ABSOLUTE"
         closest="inward fan closest_surface"
         [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
         [ "$kind" != tri3 ] || closest="$closest tri3_nearest tri3_sure proved_closest_arrays"
@@ -52,7 +52,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
         tri6) files="$files curved_local norm curved_limits curved_tri6 single_tri6 curved_start curved_step:curved_single curved_proof curved_repair answer_proved curved_from from" ;;
         quad8 | quad9) files="$files curved_$kind single_$kind curved_start curved_step:curved_single curved_proof curved_repair answer_proved curved_from from" ;;
         tri3) files="$files tri3_answer" ;;
-        bezier) files="$files patch_three patch_net patch_bezier patch_bends patch_expand patch_newton patch_proof patch_repair patch_from" ;;
+        bezier) files="$files patch_three patch_sizes patch_net patch_bezier patch_bends patch_expand patch_newton patch_proof patch_repair patch_from" ;;
         gregory) files="$files patch_gregory patch_expand patch_newton patch_proof patch_repair patch_from" ;;
         esac
         case $kind in
@@ -89,7 +89,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
         case $kind in
         *_lanes)
             files="patch_block:double lanes_${kind%_lanes} patch_newton patch_lane patch_lanes:double straight patch_begin:double" calls=
-            [ $kind != bezier_lanes ] || files="patch_net $files"
+            [ $kind != bezier_lanes ] || files="lanes_sizes patch_net $files"
             ;;
         bezier | gregory) calls='at checked patch_calls patch_from_calls patch_nearby proved_closest_calls' ;;
         esac

@@ -37,7 +37,8 @@ static void print_net(FILE *out)
     templates_print("FOOTPOINT_DETAIL_VECTORS", (const char *const[]){"patch_three", NULL}, PRECISION_DOUBLE, NULL,
                     out);
     words_add_net(&w, "net", "footpoint_detail_pack", "4", "FOOTPOINT_DETAIL_THREE", "footpoint_detail_");
-    templates_print("FOOTPOINT_DETAIL_NET", (const char *const[]){"patch_net", NULL}, PRECISION_DOUBLE, w.word, out);
+    templates_print("FOOTPOINT_DETAIL_NET", (const char *const[]){"patch_sizes", "patch_net", NULL}, PRECISION_DOUBLE,
+                    w.word, out);
     words_clear(&w);
 }
 

@@ -48,7 +48,8 @@ static void print_precision(const struct unit *u, bool single, FILE *out)
         templates_print(other, (const char *const[]){common[i][1], NULL}, precision, NULL, out);
         free(other);
     }
-    templates_print("FOOTPOINT_DETAIL_LANE_NET", (const char *const[]){"patch_net", NULL}, precision, w.word, out);
+    templates_print("FOOTPOINT_DETAIL_LANE_NET", (const char *const[]){"lanes_sizes", "patch_net", NULL}, precision,
+                    w.word, out);
     templates_print(guard, (const char *const[]){"patch_block", NULL}, PRECISION_DOUBLE, w.word, out);
     templates_print(lanes, (const char *const[]){terms, "patch_newton", "patch_lane", "patch_lanes", NULL}, precision,
                     w.word, out);

@@ -126,6 +126,10 @@ void words_add_net(struct words *w, const char *net, const char *type, const cha
     words_add(w, "ROOM", new_format("%s", room));
     words_add(w, "THREE", new_format("%s", turns));
     words_add(w, "OF", new_format("%s%s", access ? access : "", access ? "of" : ""));
+    words_add(w, "ABSOLUTE",
+              new_format(access                       ? "footpoint_detail_absolute"
+                         : strcmp(type, "float") == 0 ? "fabsf"
+                                                      : "fabs"));
     words_add(w, "INTO", new_format("%s%s", access ? access : "", access ? "into" : ""));
 }
 

@@ -30,7 +30,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_expand(const REAL *const *x,
     int k;
     FOOTPOINT_UNROLL
     for (k = 0; k < 9; k++)
-        footpoint_detail_join(x[k][0], x[k][1], x[k][2], 0.0, y[k]);
+        footpoint_detail_load(x[k], y[k]);
     footpoint_detail_KIND_edges(y, bent, &t->net);
     footpoint_detail_KIND_shape(n, bent, t);
 }

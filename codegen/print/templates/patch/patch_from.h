@@ -46,7 +46,7 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL 
             footpoint_detail_KIND_correct(&r, &n, &p, &q);
     }
     if (step < 1e-3)
-        footpoint_detail_KIND_follow(n.s, n.t, &r);
+        footpoint_detail_net_follow(n.s, n.t, &r);
     else
         footpoint_detail_KIND_local(&of, p, q, &r);
     size = of.net.base * of.net.base;

@@ -57,11 +57,15 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_parts(const REAL *const *n,
         const REAL along = footpoint_detail_dot(b[c][0], b[c][1]);
         const REAL s = footpoint_detail_dot(b[c][0], b[c][0]);
         const REAL t = footpoint_detail_dot(b[c][1], b[c][1]), per = 1.0 / (s * t);
+        REAL volume;
+        footpoint_detail_across(n[c], b[c][0], turn[c][0]);
+        footpoint_detail_across(n[c], b[c][1], turn[c][1]);
+        volume = footpoint_detail_dot(turn[c][0], b[c][1]);
+        k[c][0] = volume * (per * t);
+        k[c][1] = -volume * (per * s);
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const REAL inverse = per * (m ? s : t);
-            footpoint_detail_across(n[c], b[c][m], turn[c][m]);
-            k[c][m] = footpoint_detail_dot(turn[c][m], b[c][1 - m]) * inverse;
             l[c][m] = along * inverse;
             most = footpoint_detail_net_most(most,
                                              square[footpoint_detail_gregory_edge(c, m)] * inverse);
@@ -84,14 +88,14 @@ FOOTPOINT_PART void footpoint_detail_gregory_shape(const REAL *const *n,
                                                    footpoint_detail_net_bent bent[4],
                                                    footpoint_detail_gregory_terms *t)
 {
-    REAL b[4][2][4], turn[4][2][4], k[4][2], l[4][2], most, longest = 0.0;
+    REAL b[4][2][4], turn[4][2][4], k[4][2], l[4][2], sides[4], third, most, longest = 0.0;
     int c, m, i;
     footpoint_detail_net_expand(n, bent, &t->net);
     footpoint_detail_gregory_handles(bent, b);
     most = footpoint_detail_gregory_parts(n, bent, b, turn, k, l);
     FOOTPOINT_UNROLL
     for (c = 0; c < 4; c++) {
-        REAL made[2][4], sides;
+        REAL made[2][4];
         FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const int o = m ? 3 - c : c ^ 1, ends = m ? c > 1 : c == 1 || c == 2;
@@ -115,14 +119,18 @@ FOOTPOINT_PART void footpoint_detail_gregory_shape(const REAL *const *n,
             const footpoint_detail_pack side = footpoint_detail_of(made[1])[i];
             footpoint_detail_into(t->side[c])[i] = side;
             footpoint_detail_into(t->twist[c])[i] = footpoint_detail_of(made[0])[i] - side;
+            if (c)
+                footpoint_detail_into(sides)[i] += footpoint_detail_absolute(side);
+            else
+                footpoint_detail_into(sides)[i] = footpoint_detail_absolute(side);
         }
-        sides = 2.2 * footpoint_detail_sum(t->side[c]);
         t->twists[c] = footpoint_detail_sum(t->twist[c]);
-        t->net.third[0] += sides;
-        t->net.third[1] += sides;
         longest = footpoint_detail_net_most(longest, footpoint_detail_sum(bent[c].edge));
     }
     most *= longest;
+    third = 2.2 * (sides[0] + sides[1] + sides[2]);
+    t->net.third[0] += third;
+    t->net.third[1] += third;
     t->net.place += 18.0 * most;
     t->net.turn += 60.0 * most;
     t->net.far += 2.5 * most;

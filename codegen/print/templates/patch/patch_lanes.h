@@ -85,7 +85,7 @@ footpoint_detail_KIND_proofs(BLOCK *FOOTPOINT_RESTRICT b,
         footpoint_detail_KIND_take(b, t, l, &one);
         footpoint_detail_KIND_local(&one.of, p, q, &r);
         doubt |= footpoint_detail_KIND_lane(&one.of, &r, promise, &xi, &eta);
-        footpoint_detail_KIND_follow(xi - p, eta - q, &r);
+        footpoint_detail_NET_follow(xi - p, eta - q, &r);
         doubt |= footpoint_detail_KIND_rise(&r, &gap);
         b->p[l] = xi;
         b->q[l] = eta;

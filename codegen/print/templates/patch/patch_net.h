@@ -45,29 +45,6 @@ FOOTPOINT_PART REAL footpoint_detail_NET_most(REAL a, REAL b)
     return 0.5 * ((a + b) + fabs(a - b));
 }
 
-/* Computes the bounds of a net from its vectors; n: normals. For |p| <= 1.125, a, w and b, and their first and second
- * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
- * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
- * 0.75 6.75 = 15.2 of Y1, 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7 of Y0, 1.69 of m; third[1] has 1.5 1.125 + 2 1.69 of m. */
-FOOTPOINT_PART void footpoint_detail_NET_bounds(const REAL *const *n, footpoint_detail_NET *t)
-{
-    const REAL X0 = footpoint_detail_sum(t->X0), X1 = footpoint_detail_sum(t->X1);
-    const REAL Y0 = footpoint_detail_sum(t->Y0), Y1 = footpoint_detail_sum(t->Y1);
-    const REAL m = footpoint_detail_sum(t->m);
-    t->third[0] =
-        6.0 * footpoint_detail_sum(t->x1) + 17.9 * X1 + 6.9 * X0 + 15.2 * Y1 + 10.7 * Y0 + 1.7 * m;
-    t->third[1] =
-        6.0 * footpoint_detail_sum(t->y1) + 17.9 * Y1 + 6.9 * Y0 + 15.2 * X1 + 10.7 * X0 + 5.1 * m;
-    t->tilt =
-        footpoint_detail_NET_most(footpoint_detail_NET_most(footpoint_detail_dot(n[0], n[0]),
-                                                            footpoint_detail_dot(n[1], n[1])),
-                                  footpoint_detail_NET_most(footpoint_detail_dot(n[2], n[2]),
-                                                            footpoint_detail_dot(n[3], n[3])));
-    t->place = 29.0 * t->base;
-    t->turn = 35.0 * t->base;
-    t->far = t->base;
-}
-
 /* Computes the net from edges and normals n. */
 FOOTPOINT_PART void footpoint_detail_NET_expand(const REAL *const *n,
                                                 footpoint_detail_NET_bent bent[4],
@@ -75,6 +52,8 @@ FOOTPOINT_PART void footpoint_detail_NET_expand(const REAL *const *n,
 {
     const footpoint_detail_NET_bent *const ab = &bent[0], *const dc = &bent[1],
                                            *const ad = &bent[2], *const bc = &bent[3];
+    const REAL *const bent_by[7] = {t->x1, t->y1, t->X1, t->Y1, t->X0, t->Y0, t->m};
+    REAL edges[ROOM];
     int i;
     footpoint_detail_NET_bend(n[0], n[1], &bent[0]);
     footpoint_detail_NET_bend(n[3], n[2], &bent[1]);
@@ -97,10 +76,20 @@ FOOTPOINT_PART void footpoint_detail_NET_expand(const REAL *const *n,
         INTO(t->y0)[i] = 0.5 * (k + K);
         INTO(t->Y1)[i] = (O - o) - 0.5 * OF(t->m)[i];
         INTO(t->Y0)[i] = K - k;
+        INTO(edges)
+        [i] = (ABSOLUTE(OF(ab->edge)[i]) + ABSOLUTE(OF(dc->edge)[i])) +
+              (ABSOLUTE(OF(ad->edge)[i]) + ABSOLUTE(OF(bc->edge)[i]));
     }
-    t->base = (footpoint_detail_sum(ab->edge) + footpoint_detail_sum(dc->edge)) +
-              (footpoint_detail_sum(ad->edge) + footpoint_detail_sum(bc->edge));
-    footpoint_detail_NET_bounds(n, t);
+    t->base = edges[0] + edges[1] + edges[2];
+    footpoint_detail_NET_sizes(bent_by, t->third);
+    t->tilt =
+        footpoint_detail_NET_most(footpoint_detail_NET_most(footpoint_detail_dot(n[0], n[0]),
+                                                            footpoint_detail_dot(n[1], n[1])),
+                                  footpoint_detail_NET_most(footpoint_detail_dot(n[2], n[2]),
+                                                            footpoint_detail_dot(n[3], n[3])));
+    t->place = 29.0 * t->base;
+    t->turn = 35.0 * t->base;
+    t->far = t->base;
 }
 
 /* Computes tangents and second derivatives at (p,q), and d = xS - r. */
@@ -129,5 +118,19 @@ FOOTPOINT_PART void footpoint_detail_NET_local(const footpoint_detail_NET *t, RE
         INTO(l->uu)[i] = 2.0 * OF(t->x0)[i] - p6 * OF(t->x1)[i] + g * X2 + b2 * Y;
         INTO(l->uv)[i] = g1 * X1 + b1 * Y1;
         INTO(l->vv)[i] = 2.0 * OF(t->y0)[i] - q6 * OF(t->y1)[i] + b * Y2 + g2 * X;
+    }
+}
+
+/* Updates d, u and v after a step (s,t), to its second order. */
+FOOTPOINT_PART void footpoint_detail_NET_follow(REAL s, REAL t, footpoint_detail_local *r)
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < THREE; i++) {
+        const TRIPLE u = s * OF(r->uu)[i] + t * OF(r->uv)[i],
+                     v = s * OF(r->uv)[i] + t * OF(r->vv)[i];
+        INTO(r->d)[i] -= s * (OF(r->u)[i] + 0.5 * u) + t * (OF(r->v)[i] + 0.5 * v);
+        INTO(r->u)[i] += u;
+        INTO(r->v)[i] += v;
     }
 }

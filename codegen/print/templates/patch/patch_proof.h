@@ -84,9 +84,9 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_patch(const REAL *const *x, REAL
     footpoint_detail_newton n;
     REAL_BITS doubt = 0, goes_on = (REAL_BITS)1 << REAL_TOP;
     REAL p = 0.0, q = 0.0, size;
-    int k;
+    int k = 0;
     footpoint_detail_KIND_expand(x, &of);
-    for (k = 0; k < bare + 3 && goes_on >> REAL_TOP; k++) {
+    do {
         p = *xi;
         q = *eta;
         footpoint_detail_KIND_local(&of, p, q, &r);
@@ -96,13 +96,15 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_patch(const REAL *const *x, REAL
         } else {
             doubt = footpoint_detail_KIND_step(&of, &r, 0.25 * footpoint_detail_KIND_ball(p, q),
                                                promise, xi, eta);
-            goes_on = doubt & footpoint_detail_below(*xi - p, 0.25) &
+            if (!(doubt >> REAL_TOP))
+                break;
+            goes_on = footpoint_detail_below(*xi - p, 0.25) &
                       footpoint_detail_below(*eta - q, 0.25) & footpoint_detail_below(*xi, 1.0) &
                       footpoint_detail_below(*eta, 1.0);
         }
-    }
+    } while (++k < bare + 3 && goes_on >> REAL_TOP);
     if (near)
-        footpoint_detail_KIND_follow(*xi - p, *eta - q, &r);
+        footpoint_detail_net_follow(*xi - p, *eta - q, &r);
     else
         footpoint_detail_KIND_local(&of, *xi, *eta, &r);
     size = of.net.base * of.net.base;

@@ -11,6 +11,10 @@ enum { FOOTPOINT_DETAIL_PACK = 2, FOOTPOINT_DETAIL_THREE = 2, FOOTPOINT_DETAIL_F
 #endif
 typedef REAL footpoint_detail_pack __attribute__((vector_size(FOOTPOINT_DETAIL_PACK * sizeof(REAL)),
                                                   aligned(sizeof(REAL)), may_alias));
+typedef REAL footpoint_detail_pair
+    __attribute__((vector_size(2 * sizeof(REAL)), aligned(sizeof(REAL)), may_alias));
+typedef REAL_BITS footpoint_detail_pack_bits
+    __attribute__((vector_size(FOOTPOINT_DETAIL_PACK * sizeof(REAL))));
 #else
 enum { FOOTPOINT_DETAIL_THREE = 3, FOOTPOINT_DETAIL_FOUR = 4 };
 typedef REAL footpoint_detail_pack;
@@ -24,6 +28,16 @@ FOOTPOINT_PART const footpoint_detail_pack *footpoint_detail_of(const REAL *a)
 FOOTPOINT_PART footpoint_detail_pack *footpoint_detail_into(REAL *a)
 {
     return (footpoint_detail_pack *)(void *)a;
+}
+
+/* Returns absolute values. */
+FOOTPOINT_PART footpoint_detail_pack footpoint_detail_absolute(footpoint_detail_pack a)
+{
+#ifdef FOOTPOINT_DETAIL_PACKED
+    return (footpoint_detail_pack)((footpoint_detail_pack_bits)a & ~(REAL_BITS)0 >> 1);
+#else
+    return fabs(a);
+#endif
 }
 
 /* Writes all at once: vectors are read from memory without delay only if they were written as vectors. */
@@ -44,15 +58,26 @@ FOOTPOINT_PART void footpoint_detail_join(REAL x, REAL y, REAL z, REAL w, REAL a
 #endif
 }
 
-/* Computes the cross product c. */
+/* Copies three coordinates, and adds a 0. */
+FOOTPOINT_PART void footpoint_detail_load(const REAL x[3], REAL a[4])
+{
+#if defined(FOOTPOINT_DETAIL_PACKED)
+    const footpoint_detail_pair first = *(const footpoint_detail_pair *)(const void *)x;
+    footpoint_detail_join(first[0], first[1], x[2], 0.0, a);
+#else
+    footpoint_detail_join(x[0], x[1], x[2], 0.0, a);
+#endif
+}
+
+/* Computes the cross product c; the fourth numbers are 0. */
 FOOTPOINT_PART void footpoint_detail_across(const REAL a[4], const REAL b[4], REAL c[4])
 {
     REAL a1[4], a2[4], b1[4], b2[4];
     int i;
-    footpoint_detail_join(a[1], a[2], a[0], 0.0, a1);
-    footpoint_detail_join(a[2], a[0], a[1], 0.0, a2);
-    footpoint_detail_join(b[1], b[2], b[0], 0.0, b1);
-    footpoint_detail_join(b[2], b[0], b[1], 0.0, b2);
+    footpoint_detail_join(a[1], a[2], a[0], a[3], a1);
+    footpoint_detail_join(a[2], a[0], a[1], a[3], a2);
+    footpoint_detail_join(b[1], b[2], b[0], b[3], b1);
+    footpoint_detail_join(b[2], b[0], b[1], b[3], b2);
     FOOTPOINT_UNROLL
     for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++)
         footpoint_detail_into(c)[i] = footpoint_detail_of(a1)[i] * footpoint_detail_of(b2)[i] -
