@@ -2,7 +2,7 @@
 # set.sh make SEED COUNT: prints queries, COUNT for each kind of face and family.
 # set.sh set SEED COUNT: writes them to build/queries/queries.txt.
 # set.sh score QUERIES: judges our searches, their rivals, and the libraries built by `make rivals`; prints a table.
-# set.sh fill: puts the table for queries.txt.gz into README.md.
+# set.sh fill: puts the table for queries.txt.gz into README.md; keeps rows of libraries that are not built.
 here=tests/queries BIN=${BIN:-build} CC=${CC:-gcc}
 built=$BIN/queries
 flags='-std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -O1 -ffp-contract=off'
@@ -59,7 +59,9 @@ score) score "$2" | table ;;
 fill)
     gzip -dc $here/queries.txt.gz > "$built/queries.txt" || exit 3
     score "$built/queries.txt" | table > "$built/table" || exit 3
-    awk -v table="$built/table" '/^<!-- scores -->$/ { print; while ((getline line < table) > 0) print line; skip = 1 }
+    awk -F '`' -v table="$built/table" '/^<!-- scores -->$/ { print; while ((getline line < table) > 0) { print line
+            split(line, part); made[part[2]] = 1 }; skip = 1 }
+        skip && $2 ~ / / && !($2 in made) { print } # a library that is not built here
         /^<!-- end -->$/ { skip = 0 } !skip' $here/README.md > "$built/page" && mv "$built/page" $here/README.md
     ;;
 *) echo 'usage: set.sh make SEED COUNT | set SEED COUNT | score QUERIES | fill' >&2; exit 2 ;;
