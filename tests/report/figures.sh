@@ -1,6 +1,7 @@
 #!/bin/sh
 # figures.sh: fills the parts of READMEs between "<!-- figures NAME -->" and "<!-- end -->" from what commands wrote: headers,
 # genomes, tests/report/machines/, tests/hard/hard.csv, tests/calculix/models.csv (the table that tests/long/calculix.sh writes).
+# Draws the picture of README.md from the record measured last.
 # figures.sh --check: changes nothing; names the parts that differ, and fails if there are any.
 # figures.sh --record: writes tests/hard/hard.csv first, a hundred hard cases of each family (a minute).
 . tests/hard/build.inc
@@ -59,6 +60,14 @@ figures_hard() {
         END { for (i = 1; i <= methods; i++) print "| `" order[i] "` | " n[order[i]] " | " bad[order[i]] " |" }' tests/hard/hard.csv
 }
 
+# draw FILE: writes FILE.svg
+draw() {
+    latest=$(awk 'FNR == 1 { print $NF, FILENAME }' tests/report/machines/*.csv | sort | tail -n 1)
+    table=${latest#* }
+    sed 1d "$table" | awk -f tests/report/picture.awk -v scene=quad4 -v sample=random -v mode=scalar -v norm=mean -v out="$1" \
+        -v processor="$(sed -n '1s/^# \(.*\), x86-64.*/\1/p' "$table")" | gnuplot
+}
+
 # parts DOCUMENT: the names of its parts
 parts() { sed -n 's/^<!-- figures \([a-z0-9]*\) -->$/\1/p' "$1"; }
 # part DOCUMENT NAME: what it has now
@@ -87,4 +96,8 @@ for document in $documents; do
             cat "$work/page" > "$document"
     done
 done
+if [ "$1" != --check ]; then
+    draw "$work/picture" || exit 3
+    cat "$work/picture.svg" > tests/report/quad4-scalar.svg
+fi
 exit $status

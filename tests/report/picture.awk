@@ -3,7 +3,7 @@
 # writes FILE.svg and FILE.png, with -v narrow=1 FILE.svg for a telephone. Filled squares and the staircase: ours. Open circles: rivals. Rivals are named if no
 # other rival beats them in both time and error, or if they are not truncated iterations.
 #
-# An error is the larger of xi's and eta's, unless set by -v error=; -v others= names the rivals. Names are placed near
+# An error is the larger of xi's and eta's, unless set by -v error=; -v others= names the rivals, -v processor= what was measured on. Names are placed near
 # their points without covering anything; a name without room is omitted.
 BEGIN {
     FS = ","
@@ -20,7 +20,7 @@ NR == 1 {
 $column["scene"] == scene && $column["sample"] == sample && $column["mode"] == mode {
     e = $column[norm "_xi"] > $column[norm "_eta"] + 0 ? $column[norm "_xi"] + 0 : $column[norm "_eta"] + 0
     noises[++all] = $column["noise"] + 0
-    machine = $column["compiler"] ", " $column["isa"]
+    machine = (processor ? processor : $column["compiler"]) ", " $column["isa"]
     if (!(e < 1)) next
     n++
     name[n] = $column["method"]; ours[n] = $column["ours"]; x[n] = $column["ns"] + 0
