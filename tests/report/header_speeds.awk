@@ -69,7 +69,10 @@ function patch(name,    f) {
     f = "footpoint_" scene "_" name
     if (!(f in operations)) return
     print "| `_" name "` | " short(mean[name]) " | " short(climbed[name]) " | " both(f, "scalar") " | " both(f, "batch") " | " \
-        short(promise[f], "%.0e") " |"
+        short(promise[f], "%.0e") " | " proved(f, "scalar") " | " proved(f, "batch") " |"
+}
+function proved(f, mode) {
+    return ratio("checked " (scene == "bezier" ? "bezier_" : "") "patch_newton_checked " mode, "checked " f "_checked " mode)
 }
 function both(f, mode,    newton, plain) {
     newton = (scene == "bezier" ? "bezier_" : "") "patch_newton"
@@ -78,8 +81,8 @@ function both(f, mode,    newton, plain) {
 }
 function patches(    name, i, n) {
     scene = part
-    print "| " scene " | mean | worst | calls | arrays | promise |"
-    print "|---|---|---|---|---|---|"
+    print "| " scene " | mean | worst | calls | arrays | promise | `NAME` | `NAME_checked_n` |"
+    print "|---|---|---|---|---|---|---|---|"
     n = split("facet normals smooth corrected precise exact full", name, " ")
     for (i = 1; i <= n; i++) patch(name[i])
 }
