@@ -587,10 +587,11 @@ FOOTPOINT_PART void footpoint_detail_across(const double a[4], const double b[4]
 
 #ifndef FOOTPOINT_DETAIL_NET
 #define FOOTPOINT_DETAIL_NET
-/* Computes the bounds third[] of a net (patch_net.h) from x1, y1, X1, Y1, X0, Y0 and m. For |p| <= 1.125, a, w and b, and their first and second
- * derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third derivatives 6, 0, 1.5. Thus
- * third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of X0; 1.5 0.385 + 2 1.69 2.8 +
- * 0.75 6.75 = 15.2 of Y1, 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7 of Y0, 1.69 of m; third[1] has 1.5 1.125 + 2 1.69 of m. */
+/* Computes the bounds third[] of a net from its vectors x1, y1, X1, Y1, X0, Y0 and m. For |p| <= 1.125, a, w and b,
+ * and their first and second derivatives, are at most 0.385, 2.8, 6.75; 1, 2.25, 2; 0.5, 0.75, 1.69, the third
+ * derivatives 6, 0, 1.5. Thus third[0] has 0.5 6 + 2 0.75 6.75 + 1.69 2.8 = 17.9 of X1, 2 0.75 2 + 1.69 2.25 = 6.9 of
+ * X0; 1.5 0.385 + 2 1.69 2.8 + 0.75 6.75 = 15.2 of Y1, 1.5 + 2 1.69 2.25 + 0.75 2 = 10.7 of Y0, 1.69 of m; third[1]
+ * has 1.5 1.125 + 2 1.69 of m. */
 FOOTPOINT_PART void footpoint_detail_net_sizes(const double *const v[7], double third[2])
 {
     double by_p[4], by_q[4];
