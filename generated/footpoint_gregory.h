@@ -4037,6 +4037,15 @@ FOOTPOINT_APART void footpoint_detail_gregory_form_over(const footpoint_detail_g
     m->det -= 4.0 * z->off * (m->wide + m->high) + 2.2250738585072014e-308;
 }
 
+/* Computes how far a point may be in a coordinate that an edge holds, where the slope is `slope`, off by `off`: 4e-10
+ * if the promise p is coarser or the slope leads outwards that far, so that the closest point is on the edge. */
+FOOTPOINT_PART double footpoint_detail_gregory_held_reach(const footpoint_detail_gregory_anchor *z,
+                                                          double held, double slope, double off, double p)
+{
+    const double least = 4e-10, outwards = held * slope - off - 1.1 * least * z->stiff;
+    return footpoint_detail_bits(outwards) >> 63 ? footpoint_detail_least(p, least) : least;
+}
+
 /* Computes how far from z, in s and in t, a point may be: promise, half of it for turned coordinates; and within the
  * region, or 4e-10. */
 FOOTPOINT_PART void footpoint_detail_gregory_reach_of(const footpoint_detail_gregory_anchor *z,
@@ -4051,10 +4060,10 @@ FOOTPOINT_PART void footpoint_detail_gregory_reach_of(const footpoint_detail_gre
         room = other = 0.5 * footpoint_detail_least(ends, room);
     }
     reach[0] = fabs(z->held[0]) > 0.0
-                   ? least
+                   ? footpoint_detail_gregory_held_reach(z, z->held[0], z->f, z->off_f, p)
                    : footpoint_detail_least(p, footpoint_detail_greater(room, least));
     reach[1] = fabs(z->held[1]) > 0.0
-                   ? least
+                   ? footpoint_detail_gregory_held_reach(z, z->held[1], z->g, z->off_g, p)
                    : footpoint_detail_least(p, footpoint_detail_greater(other, least));
 }
 

@@ -54,7 +54,7 @@ enum { CASES_LONG = 1000000, FUNCTIONS = 9 };
 #define COARSE 1e-8
 #define PROVED_LEAST                                                                                                   \
     {                                                                                                                  \
-        99, 85, 50, 0, 0, 90, 0                                                                                        \
+        99, 85, 50, 0, 0, 90, 0, 90                                                                                    \
     }
 #define ALL(F)                                                                                                         \
     F(6, tri6, coarse, TRI6_COARSE)                                                                                    \
@@ -244,9 +244,9 @@ static int region_of(const struct curved_kind *k, const wide z[2], double border
 static bool in_region(const struct curved_kind *k, const wide z[2], int region)
 {
     const double low = k->corners == 4 ? -1 : 0;
-    for (int i = -1; i < 2; i++)
-        for (int n = -1; n < 2; n++) {
-            const wide to[2] = {clamp(z[0] + i * BORDER, low), clamp(z[1] + n * BORDER, low)};
+    for (int i = -2; i <= 2; i++)
+        for (int n = -2; n <= 2; n++) {
+            const wide to[2] = {clamp(z[0] + i * BORDER / 2, low), clamp(z[1] + n * BORDER / 2, low)};
             if (region_of(k, to, k->corners == 4 ? 0 : 1e-15) == region)
                 return true;
         }
@@ -351,11 +351,45 @@ static void draw_tie(uint64_t *stream, struct curved_case *f)
         f->x[f->kind->nodes][0] = 0;
 }
 
-enum { TIES = CURVED_GROUPS, OFFSET, FAR, KINDS_OF_CASES };
+enum { TIES = CURVED_GROUPS, OFFSET, FAR, BESIDE, KINDS_OF_CASES };
 static const char *const names[KINDS_OF_CASES] = {"ordinary", "strongly curved", "sliver", "wild",
-                                                  "ties",     "offset",          "far"};
+                                                  "ties",     "offset",          "far",    "beside border"};
 /* percentage that must be proved to 1e-7 or more coarsely */
 static const double proved_least[KINDS_OF_CASES] = PROVED_LEAST;
+
+/* Moves the slave node over a corner or a point of an edge, and up to 1e-8 of the tangents beside it. */
+static void draw_over_border(uint64_t *stream, struct curved_case *f)
+{
+    static const double square[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, triangle[3][2] = {{0, 0}, {1, 0}, {0, 1}};
+    const double(*const corner)[2] = f->kind->corners == 4 ? square : triangle;
+    const int edge = draw_choose(stream, f->kind->corners);
+    const double *const a = corner[edge], *const b = corner[(edge + 1) % f->kind->corners];
+    const double way = draw_choose(stream, 3) ? 0 : draw_flat(stream, 0, 1);
+    const wide p = a[0] + way * (b[0] - a[0]), q = a[1] + way * (b[1] - a[1]);
+    const double far = draw_flat(stream, -0.1, 0.1);
+    double *const slave = f->x[f->kind->nodes], u[3], v[3], normal[3];
+    struct curved_powers powers;
+    curved_powers(f, &powers);
+    for (int i = 0; i < 3; i++) {
+        const wide(*const c)[3] = (const wide(*)[3])powers.d[i];
+        wide d[3] = {0, 0, 0};
+        for (int k = 2; k >= 0; k--) {
+            const wide along = c[k][0] + q * (c[k][1] + q * c[k][2]);
+            d[1] = d[1] * p + d[0];
+            d[0] = d[0] * p + along;
+            d[2] = d[2] * p + c[k][1] + 2 * q * c[k][2];
+        }
+        slave[i] -= (double)d[0];
+        u[i] = -(double)d[1];
+        v[i] = -(double)d[2];
+    }
+    draw_cross(u, v, normal);
+    const double length = sqrt(sqrt(draw_dot(normal, normal)));
+    const double s = (draw_choose(stream, 2) ? 1 : -1) * draw_power(stream, -13, -8);
+    const double t = (draw_choose(stream, 2) ? 1 : -1) * draw_power(stream, -13, -8);
+    for (int i = 0; i < 3; i++)
+        slave[i] += (length > 0 ? far * normal[i] / length : 0) + s * u[i] + t * v[i];
+}
 
 static void draw(uint64_t *stream, int group, struct curved_case *f)
 {
@@ -364,9 +398,11 @@ static void draw(uint64_t *stream, int group, struct curved_case *f)
         ROUND(f);
         return;
     }
-    curved_draw(stream, group == OFFSET || group == FAR ? ORDINARY : (enum curved_group)group, f);
+    curved_draw(stream, group > TIES ? ORDINARY : (enum curved_group)group, f);
     if (group != WILD)
         curved_draw_slave(stream, f, group == FAR ? draw_power(stream, 0, 2) : 1);
+    if (group == BESIDE)
+        draw_over_border(stream, f);
     for (int k = 0; group == OFFSET && k <= f->kind->nodes; k++)
         for (int i = 0; i < 3; i++)
             f->x[k][i] += 1e6 * (i + 1);

@@ -196,9 +196,9 @@ static const char *fault(struct judged *j, double promise, int status, const dou
 
 /* ---- cases ---- */
 
-enum { AROUND = PATCH_GROUPS, TIES, OFFSET, FAR, GROUPS };
-static const char *const names[GROUPS] = {"ordinary", "strongly warped", "sliver", "border", "wild", "around",
-                                          "ties",     "offset",          "far"};
+enum { AROUND = PATCH_GROUPS, TIES, OFFSET, FAR, BESIDE, GROUPS };
+static const char *const names[GROUPS] = {"ordinary", "strongly warped", "sliver", "border",       "wild", "around",
+                                          "ties",     "offset",          "far",    "beside border"};
 
 /* The slave node up to `away` of half an edge from a corner or between corners. */
 static void draw_around(uint64_t *stream, struct patch_case *f, double away)
@@ -228,6 +228,32 @@ static void draw_tie(uint64_t *stream, struct patch_case *f)
     f->x[8][2] = draw_flat(stream, -5, 1);
 }
 
+/* Moves the slave node over a corner or a point of an edge, and up to 1e-8 of the tangents beside it. */
+static void draw_over_border(uint64_t *stream, struct patch_case *f)
+{
+    const double side[2] = {2 * draw_choose(stream, 2) - 1, 2 * draw_choose(stream, 2) - 1};
+    const int inner = draw_choose(stream, 6); /* the coordinate that is not on the border; above 1: none */
+    const wide z[2] = {inner == 0 ? draw_flat(stream, -1, 1) : side[0],
+                       inner == 1 ? draw_flat(stream, -1, 1) : side[1]};
+    const double far = draw_flat(stream, -0.1, 0.1);
+    struct patch_net net;
+    wide r[3][3];
+    double u[3], v[3], normal[3];
+    patch_net_make(f, &net);
+    patch_net_at(f, &net, z, r);
+    for (int i = 0; i < 3; i++) {
+        u[i] = (double)r[1][i];
+        v[i] = (double)r[2][i];
+        f->x[8][i] = (double)r[0][i];
+    }
+    draw_cross(u, v, normal);
+    const double length = sqrt(sqrt(draw_dot(normal, normal)));
+    const double s = (draw_choose(stream, 2) ? 1 : -1) * draw_power(stream, -13, -8);
+    const double t = (draw_choose(stream, 2) ? 1 : -1) * draw_power(stream, -13, -8);
+    for (int i = 0; i < 3; i++)
+        f->x[8][i] += (length > 0 ? far * normal[i] / length : 0) + s * u[i] + t * v[i];
+}
+
 static void draw(uint64_t *stream, int group, struct patch_case *f)
 {
     if (group == TIES) {
@@ -237,6 +263,8 @@ static void draw(uint64_t *stream, int group, struct patch_case *f)
     patch_draw(stream, group < PATCH_GROUPS ? (enum patch_group)group : PATCH_ORDINARY, f);
     if (group == AROUND || group == FAR)
         draw_around(stream, f, group == AROUND ? 1 : draw_power(stream, 0, 2));
+    if (group == BESIDE)
+        draw_over_border(stream, f);
     for (int v = 0; group == OFFSET && v < VECTORS; v++)
         for (int i = 0; i < 3 && (v < 4 || v == 8); i++)
             f->x[v][i] += 1e6 * (i + 1);
@@ -292,7 +320,7 @@ static void judge(const char *group, const struct patch_case *p, long count[FUNC
 }
 
 /* % that must be proved to 1e-7 or less finely */
-static const double proved_least[GROUPS] = {99, 50, 30, 90, 0, 90, 0, 90, 0};
+static const double proved_least[GROUPS] = {99, 50, 30, 90, 0, 90, 0, 90, 0, 90};
 
 static void closest_points_keep_the_promise(void **state)
 {
@@ -318,6 +346,25 @@ static void closest_points_keep_the_promise(void **state)
                 fail_msg("%s, %s: %ld of %ld proved", functions[i].name, names[group], c[0], answers);
         }
     }
+}
+
+/* A closest point 1e-11 from a corner, on an edge. */
+static void corners_are_no_answer_beside_them(void **state)
+{
+    (void)state;
+    static const struct patch_case beside = {
+        .kind = 1,
+        .x = {{0x1.c460c6d711ceep-1, -0x1.1e6e3cc1e3d17p+3, -0x1.034b7f07cb398p-1},
+              {-0x1.6bd0dac2c0535p-1, -0x1.12101697c37b4p+3, -0x1.1d6f03fb394ffp+1},
+              {0x1.af967f14e533fp-1, -0x1.4f9d571c75ac2p+3, -0x1.b6d347a87113ap+1},
+              {0x1.ef09e22a570c4p+0, -0x1.57d8002bd4e35p+3, -0x1.20f78d0f199eep+1},
+              {-0x1.3ffea85b08ddp-1, -0x1.3a451049aa9b4p-1, 0x1.ede3de9164ae2p-2},
+              {-0x1.5972a3470e888p-1, -0x1.315af3631dbc4p-1, 0x1.bd46fd959afeap-2},
+              {-0x1.292df5b9a33f9p-1, -0x1.823077274306p-1, 0x1.3a3c882d0c10ep-2},
+              {-0x1.d7d0ec877fc48p-2, -0x1.a5b5d4ab9d302p-1, 0x1.52897bbe8002cp-2},
+              {0x1.93ab848f0f513p-1, -0x1.51e1d0d43459ap+3, -0x1.b322a1aec6636p+1}}};
+    long count[FUNCTIONS][ANSWERS] = {{0}};
+    judge("beside a corner", &beside, count);
 }
 
 /* Draws n cases of a kind, of all groups by turns. */
@@ -410,6 +457,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(closest_points_keep_the_promise),
+        cmocka_unit_test(corners_are_no_answer_beside_them),
         cmocka_unit_test(arrays_match_single_calls),
         cmocka_unit_test(the_nearest_of_several_patches_is_proved),
     };

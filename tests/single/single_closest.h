@@ -20,7 +20,7 @@ static void round_case(struct curved_case *f)
 #define COARSE 1e-4
 #define PROVED_LEAST                                                                                                   \
     {                                                                                                                  \
-        98, 60, 50, 0, 0, 85, 0                                                                                        \
+        98, 60, 50, 0, 0, 85, 0, 0                                                                                     \
     }
 
 typedef int one_single(const float *const *x, float loc[2], float *dist, int *region);

@@ -1,5 +1,14 @@
 /* The proof that the closest point of a closed curved face lies near a given point. */
 
+/* Computes how far a point may be in a coordinate that an edge holds, where the slope is `slope`, off by `off`: REAL_NEAR
+ * if the promise p is coarser or the slope leads outwards that far, so that the closest point is on the edge. */
+FOOTPOINT_PART REAL footpoint_detail_KIND_held_reach(const footpoint_detail_KIND_anchor *z,
+                                                     REAL held, REAL slope, REAL off, REAL p)
+{
+    const REAL least = REAL_NEAR, outwards = held * slope - off - 1.1 * least * z->stiff;
+    return footpoint_detail_bits(outwards) >> REAL_TOP ? footpoint_detail_least(p, least) : least;
+}
+
 /* Computes how far from z, in s and in t, a point may be: promise, half of it for turned coordinates; and within the
  * region, or REAL_NEAR. */
 FOOTPOINT_PART void footpoint_detail_KIND_reach_of(const footpoint_detail_KIND_anchor *z,
@@ -14,10 +23,10 @@ FOOTPOINT_PART void footpoint_detail_KIND_reach_of(const footpoint_detail_KIND_a
         room = other = 0.5 * footpoint_detail_least(ends, room);
     }
     reach[0] = fabs(z->held[0]) > 0.0
-                   ? least
+                   ? footpoint_detail_KIND_held_reach(z, z->held[0], z->f, z->off_f, p)
                    : footpoint_detail_least(p, footpoint_detail_greater(room, least));
     reach[1] = fabs(z->held[1]) > 0.0
-                   ? least
+                   ? footpoint_detail_KIND_held_reach(z, z->held[1], z->g, z->off_g, p)
                    : footpoint_detail_least(p, footpoint_detail_greater(other, least));
 }
 
