@@ -3796,7 +3796,7 @@ FOOTPOINT_COLD void footpoint_detail_bezier_downhill(const footpoint_detail_bezi
 {
     footpoint_detail_bezier_anchor next;
     double h[2], to[2], moved, before = 9.0;
-    int i;
+    int i, part;
     for (i = 0; i < 60; i++) {
         footpoint_detail_bezier_step_on(z, h);
         footpoint_detail_bezier_along_way(z, h, to);
@@ -3804,7 +3804,7 @@ FOOTPOINT_COLD void footpoint_detail_bezier_downhill(const footpoint_detail_bezi
         if (!(moved > 0.0) || (moved < 1e-9 && moved >= 0.5 * before))
             return;
         footpoint_detail_bezier_anchor_at(of, to, footpoint_detail_bezier_region(to), &next);
-        while (moved > 1e-6 && !(next.dd < z->dd)) {
+        for (part = 0; part < 20 && moved > 1e-6 && !(next.dd < z->dd); part++) {
             h[0] *= 0.25;
             h[1] *= 0.25;
             footpoint_detail_bezier_along_way(z, h, to);

@@ -4507,7 +4507,7 @@ FOOTPOINT_COLD void footpoint_detail_gregory_downhill(const footpoint_detail_gre
 {
     footpoint_detail_gregory_anchor next;
     double h[2], to[2], moved, before = 9.0;
-    int i;
+    int i, part;
     for (i = 0; i < 60; i++) {
         footpoint_detail_gregory_step_on(z, h);
         footpoint_detail_gregory_along_way(z, h, to);
@@ -4515,7 +4515,7 @@ FOOTPOINT_COLD void footpoint_detail_gregory_downhill(const footpoint_detail_gre
         if (!(moved > 0.0) || (moved < 1e-9 && moved >= 0.5 * before))
             return;
         footpoint_detail_gregory_anchor_at(of, to, footpoint_detail_gregory_region(to), &next);
-        while (moved > 1e-6 && !(next.dd < z->dd)) {
+        for (part = 0; part < 20 && moved > 1e-6 && !(next.dd < z->dd); part++) {
             h[0] *= 0.25;
             h[1] *= 0.25;
             footpoint_detail_gregory_along_way(z, h, to);

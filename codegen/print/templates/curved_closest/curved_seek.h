@@ -75,7 +75,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_downhill(const footpoint_detail_KIND_t
 {
     footpoint_detail_KIND_anchor next;
     REAL h[2], to[2], moved, before = 9.0;
-    int i;
+    int i, part;
     for (i = 0; i < 60; i++) {
         footpoint_detail_KIND_step_on(z, h);
         footpoint_detail_KIND_along_way(z, h, to);
@@ -83,7 +83,7 @@ FOOTPOINT_COLD void footpoint_detail_KIND_downhill(const footpoint_detail_KIND_t
         if (!(moved > 0.0) || (moved < REAL_STILL && moved >= 0.5 * before))
             return;
         footpoint_detail_KIND_anchor_at(of, to, footpoint_detail_KIND_region(to), &next);
-        while (moved > REAL_APART && !(next.dd < z->dd)) {
+        for (part = 0; part < 20 && moved > REAL_APART && !(next.dd < z->dd); part++) {
             h[0] *= 0.25;
             h[1] *= 0.25;
             footpoint_detail_KIND_along_way(z, h, to);
