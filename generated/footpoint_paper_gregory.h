@@ -1086,8 +1086,8 @@ FOOTPOINT_PART void footpoint_detail_gregory_off(const footpoint_detail_net *t, 
 
 /* Takes Newton's step from a point in the patch, whose surface is r. The highest bit of the result is not set if a
  * minimum of the distance is proved to lie within `promise` of the answer, on the patch or on the surface that its
- * polynomials make beside it. `ball` is at least 5/4 of the step; if it does not depend on
- * the step, bounds are computed beside it.
+ * polynomials make beside it. `ball` is at least 5/4 of the step; if it does not depend on the step, bounds are
+ * computed beside it.
  *
  * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11
  * r12; r12 r22]; `step` = |H^-1 F|. Row i of the derivatives of H adds up to at most l_i = R_i A + 2 R A_i + |D| T_i,
@@ -4504,7 +4504,8 @@ FOOTPOINT_COLD void footpoint_detail_gregory_step_on(const footpoint_detail_greg
         }
 }
 
-/* Moves *z downhill until steps are within rounding. */
+/* Moves *z downhill until steps are within rounding. A step is shortened at most 20 times: compilers that rule out NaN may
+ * take its comparisons for true without end. */
 FOOTPOINT_COLD void footpoint_detail_gregory_downhill(const footpoint_detail_gregory_terms *of,
                                                       footpoint_detail_gregory_anchor *z)
 {

@@ -3178,7 +3178,8 @@ FOOTPOINT_COLD void footpoint_detail_quad9_step_on(const footpoint_detail_quad9_
         }
 }
 
-/* Moves *z downhill until steps are within rounding. */
+/* Moves *z downhill until steps are within rounding. A step is shortened at most 20 times: compilers that rule out NaN may
+ * take its comparisons for true without end. */
 FOOTPOINT_COLD void footpoint_detail_quad9_downhill(const footpoint_detail_quad9_terms *of,
                                                     footpoint_detail_quad9_anchor *z)
 {

@@ -3149,7 +3149,8 @@ FOOTPOINT_COLD void footpoint_detail_tri6_step_on(const footpoint_detail_tri6_an
         }
 }
 
-/* Moves *z downhill until steps are within rounding. */
+/* Moves *z downhill until steps are within rounding. A step is shortened at most 20 times: compilers that rule out NaN may
+ * take its comparisons for true without end. */
 FOOTPOINT_COLD void footpoint_detail_tri6_downhill(const footpoint_detail_tri6_terms *of,
                                                    footpoint_detail_tri6_anchor *z)
 {

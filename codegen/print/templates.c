@@ -17,43 +17,44 @@ static const struct {
 
 static const struct {
     const char *word, *text[2]; /* by precision */
-} real[] = {{"REAL", {"double", "float"}},
-            {"REAL_BITS", {"unsigned long long", "unsigned int"}}, /* an integer of its width */
-            {"REAL_TOP", {"63", "31"}},                            /* the number of its highest bit */
-            {"REAL_DIGITS", {"53", "24"}},                         /* of the mantissa */
-            {"REAL_UNIT", {"1.12e-16", "6e-8f"}},                  /* relative rounding error, rounded up */
-            {"REAL_MIN", {"2.2250738585072014e-308", "1.1754944e-38f"}},
-            {"REAL_MIDDLE", {"511", "31"}}, /* middle of biased exponents from 2^-LOW to 2^HIGH */
-            {"REAL_LOW", {"512", "96"}},
-            {"REAL_HIGH", {"512", "32"}},
-            {"REAL_ORDINARY", {"32", "12"}},       /* products of edges from 2^-this to 2^this stay in range */
-            {"REAL_CLOSE", {"1e-9", "3e-4f"}},     /* proved for a whole segment if promises are finer */
-            {"REAL_WITHIN", {"1e-9", "1e-4f"}},    /* the same of curved faces */
-            {"REAL_NEAR", {"4e-10", "4e-6f"}},     /* to a border; see curved_sole.h */
-            {"REAL_EDGE", {"1e-15", "4e-7f"}},     /* some units of rounding, from an edge */
-            {"REAL_STEP", {"2.3e-16", "1.2e-7f"}}, /* the distance of 1 and the next number, rounded up */
-            {"REAL_STILL", {"1e-9", "1e-5f"}},     /* steps below may be rounding */
-            {"REAL_FAINT", {"1e-300", "5e-26f"}},  /* more than products of eight lengths underflow by */
-            {"REAL_WEAK", {"1e-6", "1.2e-3f"}},    /* least determinant, over the squares that it is a difference of */
-            {"REAL_CRAMER", {"1e-8", "1.5e-3f"}},  /* relative error of a quotient by that determinant */
-            {"REAL_FINE", {"1e-11", "1e-3f"}},     /* fine promises are below this */
-            {"REAL_APART", {"1e-6", "1e-3f"}},     /* steps above change the distance by more than rounding */
-            {"REAL_TIE", {"1e-10", "3e-5f"}},    /* below, rounding decides between distances, over the longest edge */
-            {"REAL_FLAT", {"1e-20", "1e-9f"}},   /* the square of the sine below which tangents are parallel */
-            {"REAL_MARGIN", {"4e-16", "2e-7f"}}, /* rounding errors of the square of a distance */
-            {"REAL_ANGLE", {"1e-24", "1e-12f"}}, /* the square of the sine below which a vector lies in a plane */
-            {"REAL_TURN", {"1e-12", "1e-6f"}},   /* its root */
-            {"REAL_SMALL", {"1e-29", "1e-12f"}}, /* the square of the rounding errors of a vector, over its parts */
-            {"REAL_ALONG", {"1e-9", "1e-3f"}},   /* promise of projection along a direction; its name */
-            {"ALONG_PROMISE", {"FOOTPOINT_ALONG_PROMISE", "FOOTPOINT_ALONG_PROMISE_F"}},
-            {"REAL_ROOT", {"0x5fe6eb50c7b537a9ull", "0x5f3759dfu"}}, /* see patch_lane.h */
-            {"REAL_INWARD", {"0.0009765625", "0.03125f"}}, /* part of the way to the middle, for normals of corners */
-            {"atan2", {"atan2", "atan2f"}},
-            {"copysign", {"copysign", "copysignf"}},
-            {"fabs", {"fabs", "fabsf"}},
-            {"frexp", {"frexp", "frexpf"}},
-            {"ldexp", {"ldexp", "ldexpf"}},
-            {"sqrt", {"sqrt", "sqrtf"}}};
+} real[] = {
+    {"REAL", {"double", "float"}},
+    {"REAL_BITS", {"unsigned long long", "unsigned int"}}, /* an integer of its width */
+    {"REAL_TOP", {"63", "31"}},                            /* the number of its highest bit */
+    {"REAL_DIGITS", {"53", "24"}},                         /* of the mantissa */
+    {"REAL_UNIT", {"1.12e-16", "6e-8f"}},                  /* relative rounding error, rounded up */
+    {"REAL_MIN", {"2.2250738585072014e-308", "1.1754944e-38f"}},
+    {"REAL_MIDDLE", {"511", "31"}}, /* middle of biased exponents from 2^-LOW to 2^HIGH */
+    {"REAL_LOW", {"512", "96"}},
+    {"REAL_HIGH", {"512", "32"}},
+    {"REAL_ORDINARY", {"32", "12"}},       /* products of edges from 2^-this to 2^this stay in range */
+    {"REAL_CLOSE", {"1e-9", "3e-4f"}},     /* proved for a whole segment if promises are finer */
+    {"REAL_WITHIN", {"1e-9", "1e-4f"}},    /* the same of curved faces */
+    {"REAL_NEAR", {"4e-10", "4e-6f"}},     /* to a border; less where promises are finer and slopes do not lead outwards */
+    {"REAL_EDGE", {"1e-15", "4e-7f"}},     /* some units of rounding, from an edge */
+    {"REAL_STEP", {"2.3e-16", "1.2e-7f"}}, /* the distance of 1 and the next number, rounded up */
+    {"REAL_STILL", {"1e-9", "1e-5f"}},     /* steps below may be rounding */
+    {"REAL_FAINT", {"1e-300", "5e-26f"}},  /* more than products of eight lengths underflow by */
+    {"REAL_WEAK", {"1e-6", "1.2e-3f"}},    /* least determinant, over the squares that it is a difference of */
+    {"REAL_CRAMER", {"1e-8", "1.5e-3f"}},  /* relative error of a quotient by that determinant */
+    {"REAL_FINE", {"1e-11", "1e-3f"}},     /* fine promises are below this */
+    {"REAL_APART", {"1e-6", "1e-3f"}},     /* steps above change the distance by more than rounding */
+    {"REAL_TIE", {"1e-10", "3e-5f"}},      /* below, rounding decides between distances, over the longest edge */
+    {"REAL_FLAT", {"1e-20", "1e-9f"}},     /* the square of the sine below which tangents are parallel */
+    {"REAL_MARGIN", {"4e-16", "2e-7f"}},   /* rounding errors of the square of a distance */
+    {"REAL_ANGLE", {"1e-24", "1e-12f"}},   /* the square of the sine below which a vector lies in a plane */
+    {"REAL_TURN", {"1e-12", "1e-6f"}},     /* its root */
+    {"REAL_SMALL", {"1e-29", "1e-12f"}},   /* the square of the rounding errors of a vector, over its parts */
+    {"REAL_ALONG", {"1e-9", "1e-3f"}},     /* promise of projection along a direction; its name */
+    {"ALONG_PROMISE", {"FOOTPOINT_ALONG_PROMISE", "FOOTPOINT_ALONG_PROMISE_F"}},
+    {"REAL_ROOT", {"0x5fe6eb50c7b537a9ull", "0x5f3759dfu"}}, /* see patch_lane.h */
+    {"REAL_INWARD", {"0.0009765625", "0.03125f"}},           /* part of the way to the middle, for normals of corners */
+    {"atan2", {"atan2", "atan2f"}},
+    {"copysign", {"copysign", "copysignf"}},
+    {"fabs", {"fabs", "fabsf"}},
+    {"frexp", {"frexp", "frexpf"}},
+    {"ldexp", {"ldexp", "ldexpf"}},
+    {"sqrt", {"sqrt", "sqrtf"}}};
 
 static const char *find_text(const char *word, size_t n, enum precision precision, const struct placeholder *own)
 {

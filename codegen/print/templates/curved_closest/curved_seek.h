@@ -69,7 +69,8 @@ FOOTPOINT_COLD void footpoint_detail_KIND_step_on(const footpoint_detail_KIND_an
         }
 }
 
-/* Moves *z downhill until steps are within rounding. */
+/* Moves *z downhill until steps are within rounding. A step is shortened at most 20 times: compilers that rule out NaN may
+ * take its comparisons for true without end. */
 FOOTPOINT_COLD void footpoint_detail_KIND_downhill(const footpoint_detail_KIND_terms *of,
                                                    footpoint_detail_KIND_anchor *z)
 {
