@@ -27,11 +27,11 @@ static const struct {
     {"REAL_MIDDLE", {"511", "31"}}, /* middle of biased exponents from 2^-LOW to 2^HIGH */
     {"REAL_LOW", {"512", "96"}},
     {"REAL_HIGH", {"512", "32"}},
-    {"REAL_ORDINARY", {"32", "12"}},       /* products of edges from 2^-this to 2^this stay in range */
-    {"REAL_CLOSE", {"1e-9", "3e-4f"}},     /* proved for a whole segment if promises are finer */
-    {"REAL_WITHIN", {"1e-9", "1e-4f"}},    /* the same of curved faces */
-    {"REAL_NEAR", {"4e-10", "4e-6f"}},     /* to a border; less where promises are finer and slopes do not lead outwards */
-    {"REAL_EDGE", {"1e-15", "4e-7f"}},     /* some units of rounding, from an edge */
+    {"REAL_ORDINARY", {"32", "12"}},    /* products of edges from 2^-this to 2^this stay in range */
+    {"REAL_CLOSE", {"1e-9", "3e-4f"}},  /* proved for a whole segment if promises are finer */
+    {"REAL_WITHIN", {"1e-9", "1e-4f"}}, /* the same of curved faces */
+    {"REAL_NEAR", {"4e-10", "4e-6f"}},  /* to a border; less where promises are finer and slopes do not lead outwards */
+    {"REAL_EDGE", {"1e-15", "4e-7f"}},  /* some units of rounding, from an edge */
     {"REAL_STEP", {"2.3e-16", "1.2e-7f"}}, /* the distance of 1 and the next number, rounded up */
     {"REAL_STILL", {"1e-9", "1e-5f"}},     /* steps below may be rounding */
     {"REAL_FAINT", {"1e-300", "5e-26f"}},  /* more than products of eight lengths underflow by */
