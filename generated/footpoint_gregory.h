@@ -4630,13 +4630,13 @@ FOOTPOINT_COLD double footpoint_detail_gregory_none_nearer(const double *const *
 }
 
 /* The quick way from (xi,eta) = at: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED without a
- * proof. `bare` steps precede the first tested step. */
+ * proof. `bare` steps precede the first tested step; their products are of degree 12 in lengths. */
 FOOTPOINT_APART int footpoint_detail_gregory_close(const double *const *x, double promise, int bare,
                                                    double at[3], int *region)
 {
     footpoint_detail_gregory_terms of;
     footpoint_detail_gregory_anchor z;
-    double size, longest, whole[4][2];
+    double size, longest, most, whole[4][2];
     unsigned long long doubt, flat = 0, beyond;
     int k, i;
     *region = 0;
@@ -4664,9 +4664,9 @@ FOOTPOINT_APART int footpoint_detail_gregory_close(const double *const *x, doubl
     longest = footpoint_detail_gregory_longest(x);
     at[2] = footpoint_detail_gregory_signed(x, &z, size, *region, &flat);
     beyond = footpoint_detail_above(z.dd, longest);
+    most = z.far * z.far * (z.far * z.far);
     doubt |= flat | footpoint_detail_bits(1.01 - of.net.tilt) |
-             footpoint_detail_outside(z.far * z.far * (z.far * z.far)) |
-             footpoint_detail_outside(size * size);
+             footpoint_detail_outside(most * (most * most)) | footpoint_detail_outside(size * size);
     return FOOTPOINT_UNPROVED * (int)(doubt >> 63) +
            FOOTPOINT_ERR_DOMAIN * (int)((beyond & ~doubt) >> 63);
 }

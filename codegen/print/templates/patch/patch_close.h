@@ -1,13 +1,13 @@
 /* The closest point of a closed patch, with its proof: by steps from the end of a search. */
 
 /* The quick way from (xi,eta) = at: at = {xi, eta, square of the distance with its sign}; FOOTPOINT_UNPROVED without a
- * proof. `bare` steps precede the first tested step. */
+ * proof. `bare` steps precede the first tested step; their products are of degree 12 in lengths. */
 FOOTPOINT_APART int footpoint_detail_KIND_close(const REAL *const *x, REAL promise, int bare,
                                                 REAL at[3], int *region)
 {
     footpoint_detail_KIND_terms of;
     footpoint_detail_KIND_anchor z;
-    REAL size, longest, whole[CORNERS][2];
+    REAL size, longest, most, whole[CORNERS][2];
     REAL_BITS doubt, flat = 0, beyond;
     int k, i;
     *region = 0;
@@ -35,9 +35,9 @@ FOOTPOINT_APART int footpoint_detail_KIND_close(const REAL *const *x, REAL promi
     longest = footpoint_detail_KIND_longest(x);
     at[2] = footpoint_detail_KIND_signed(x, &z, size, *region, &flat);
     beyond = footpoint_detail_above(z.dd, longest);
+    most = z.far * z.far * (z.far * z.far);
     doubt |= flat | footpoint_detail_bits(1.01 - of.net.tilt) |
-             footpoint_detail_outside(z.far * z.far * (z.far * z.far)) |
-             footpoint_detail_outside(size * size);
+             footpoint_detail_outside(most * (most * most)) | footpoint_detail_outside(size * size);
     return FOOTPOINT_UNPROVED * (int)(doubt >> REAL_TOP) +
            FOOTPOINT_ERR_DOMAIN * (int)((beyond & ~doubt) >> REAL_TOP);
 }
