@@ -27,9 +27,9 @@ calculix() {
 figures_quad4() { recorded front_page quad4 quad4; }
 figures_loses() {
     recorded front_page last quad4
-    echo "- Local search is rarely the bottleneck. By Newton's iteration it takes $(impact share) % of the time of our explicit impact"
+    echo "- Local search is rarely the bottleneck. Newton's iteration takes $(impact share) % of the time of our explicit impact"
     calculix | while read -r models factor share rest; do
-        echo "  example, and $share % of the time of $models CalculiX models ([runtime](runtime/README.md#in-other-codes))."
+        echo "  example, CalculiX's search $share % of that of $models of its models ([runtime](runtime/README.md#in-other-codes))."
     done
 }
 figures_speed() { recorded header_speeds speed quad4; }

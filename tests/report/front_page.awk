@@ -33,5 +33,5 @@ function last(move,    i, m, mode) {
 END {
     if (part == "quad4") table()
     else
-        print "- The same ratios of `NAME_from`, from answers 0.001, 0.01 and 0.1 of a face away, are " last("1e-3") ", " last("1e-2") " and " last("1e-1") "."
+        print "- The same ratios of `NAME_from` of four functions, from answers 0.001, 0.01 and 0.1 of a face away, are " last("1e-3") ", " last("1e-2") " and " last("1e-1") "."
 }
