@@ -4859,7 +4859,7 @@ FOOTPOINT_PART int footpoint_detail_gregory_proved_closest_of(footpoint_detail_n
  *           segment, in its plane, has dist > 0.  A negative sign is not yet contact: xS penetrates if dist < 0 and region
  *           is 0, or if NAME_closest_of with all segments there has dist < 0.
  *           On error all outputs are untouched: FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE if the segment has no area;
- *           FOOTPOINT_ERR_DOMAIN if r is farther from xS than the longest edge.
+ *           FOOTPOINT_ERR_DOMAIN if r is farther from xS than the longest edge; FOOTPOINT_UNPROVED is possible there, too.
  * NAME_closest_from:  does the same from the last answer, or NaN, in loc.  Down to promises of 1e-5 it begins there and calls
  *           NAME_closest if it proves nothing; finer promises begin anew, which is as fast.  region 1 to 8 is the edge or corner
  *           at which xS leaves the segment: search the neighbour there next.
