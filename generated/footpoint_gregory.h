@@ -997,6 +997,12 @@ FOOTPOINT_PART double footpoint_detail_gregory_ball(double p, double q)
     return 0.2475 - footpoint_detail_net_most(0.125 * (fabs(p) + fabs(q)), 0.1225);
 }
 
+/* Returns the ball for a step from a near start: a small one, because third derivatives are large. */
+FOOTPOINT_PART double footpoint_detail_gregory_proof_ball(double step)
+{
+    return 1.5 * step + 1e-6;
+}
+
 /* Computes the edges AB, DC, AD and BC, and d. */
 FOOTPOINT_PART void footpoint_detail_gregory_edges(double x[9][4], footpoint_detail_net_bent bent[4],
                                                    footpoint_detail_net *t)
@@ -1039,12 +1045,11 @@ FOOTPOINT_PART double footpoint_detail_gregory_kept(double p)
     return most > -1.0 ? most : -1.0;
 }
 
-/* Takes a step of Chebyshev's method from (*p,*q), whose surface is r: Newton's step n and a second-order correction without
- * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved.
- * Numerators are computed beside the division of n, without waiting for it. */
-FOOTPOINT_PART void footpoint_detail_gregory_correct(const footpoint_detail_local *r,
-                                                     const footpoint_detail_newton *n, double *p,
-                                                     double *q)
+/* Computes a step h of Chebyshev's method where the surface is r: Newton's step n and a second-order correction without
+ * third derivatives. The error falls by the third power until these matter. Numerators are computed beside the division
+ * of n, without waiting for it. */
+FOOTPOINT_PART void footpoint_detail_gregory_chebyshev(const footpoint_detail_local *r,
+                                                       const footpoint_detail_newton *n, double h[2])
 {
     const double uuu = 1.5 * footpoint_detail_dot(r->u, r->uu);
     const double vvv = 1.5 * footpoint_detail_dot(r->v, r->vv);
@@ -1054,8 +1059,19 @@ FOOTPOINT_PART void footpoint_detail_gregory_correct(const footpoint_detail_loca
     const double s = n->r22 * f - n->r12 * g, t = n->r11 * g - n->r12 * f;
     const double ss = s * s, st = s * t, tt = t * t, square = n->per * n->per;
     const double a = uuu * ss + uuv * st + 0.5 * uvv * tt, b = 0.5 * uuv * ss + uvv * st + vvv * tt;
-    *p = footpoint_detail_gregory_kept(*p + n->per * (s - square * (n->r22 * a - n->r12 * b)));
-    *q = footpoint_detail_gregory_kept(*q + n->per * (t - square * (n->r11 * b - n->r12 * a)));
+    h[0] = n->per * (s - square * (n->r22 * a - n->r12 * b));
+    h[1] = n->per * (t - square * (n->r11 * b - n->r12 * a));
+}
+
+/* Takes such a step from (*p,*q), clamped to the patch, not proved. */
+FOOTPOINT_PART void footpoint_detail_gregory_correct(const footpoint_detail_local *r,
+                                                     const footpoint_detail_newton *n, double *p,
+                                                     double *q)
+{
+    double h[2];
+    footpoint_detail_gregory_chebyshev(r, n, h);
+    *p = footpoint_detail_gregory_kept(*p + h[0]);
+    *q = footpoint_detail_gregory_kept(*q + h[1]);
 }
 
 /* Such a step from (*p,*q). */
@@ -1081,10 +1097,10 @@ FOOTPOINT_PART void footpoint_detail_gregory_off(const footpoint_detail_net *t, 
     off[1] = place * v + turn;
 }
 
-/* Takes Newton's step from a point in the patch, whose surface is r. The highest bit of the result is not set if a
- * minimum of the distance is proved to lie within `promise` of the answer, on the patch or on the surface that its
- * polynomials make beside it. `ball` is at least 5/4 of the step; if it does not depend on the step, bounds are
- * computed beside it.
+/* Bounds the error of Newton's step n from the point (x,y) in the patch, whose surface is r, or of Chebyshev's step from
+ * there if `corrected`. The highest bit of the result is not set if a minimum of the distance is proved to lie within
+ * *error of the step's end, on the patch or on the surface that its polynomials make beside it, unless *error is no
+ * number. `ball` is at least 5/4 of the step; if it does not depend on the step, bounds are computed beside it.
  *
  * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11
  * r12; r12 r22]; `step` = |H^-1 F|. Row i of the derivatives of H adds up to at most l_i = R_i A + 2 R A_i + |D| T_i,
@@ -1093,16 +1109,23 @@ FOOTPOINT_PART void footpoint_detail_gregory_off(const footpoint_detail_net *t, 
  * x|. If h = w step <= 1/4, then there is a root within 1.2 step of x, it is within 0.7 h step of the step's end, and H
  * is positive definite on the whole way there.
  *
+ * Corrected: H' = K - r_ijk . D, and Chebyshev's step is n - H^-1 K(n,n) / 2. At the root x + z, F = H z + K(z,z) / 2 +
+ * S, where row i of S has at most |D| T_i |z|^2 / 2 and, as K changes, k_i |z|^3 / 6, k_i = 2 T_i R + 3 A_i A + R_i T.
+ * As |H^-1 K(z + n, z - n)| <= w 2.2 step 0.7 h step, the error is at most 0.77 h^2 step + |H^-1| (0.72 |D| T_i + 0.288
+ * k_i step) step^2, and step <= 0.8 ball.
+ *
  * Rounding: F is off by `off`, entries of H by 910 u far^2, far = |D| + net.far: 2 2.5 35 and 19 for r_i . r_j, 280 +
  * 3.5 12 for r_ij . D. Let e = 1820 u far^2 |H^-1|. It adds 0.27 e to h. l_i, off by 5 far 2 1680 u far for |r_ij|
  * twice, adds 3400 u far^2 |H^-1|, as steps are at most 0.1. So 7000 u far^2 |H^-1| is subtracted from the limit of h.
  * This keeps e below 0.07, so H is definite, too. The weak inequality of `det` keeps the rounding errors of w and of
- * the step below the margins of 0.72, 0.249 and 0.999. */
-FOOTPOINT_PART unsigned long long footpoint_detail_gregory_step(const footpoint_detail_gregory_terms *of,
-                                                                const footpoint_detail_local *r, double ball,
-                                                                double promise, double *p, double *q)
+ * the step below the margins of 0.72, 0.249 and 0.999. K(n,n) / 2 is off by 5500 u far^2 step^2, which makes 0.3 e
+ * step, and by 0.4 e step because H^-1 and n are. */
+FOOTPOINT_PART unsigned long long footpoint_detail_gregory_root(const footpoint_detail_gregory_terms *of,
+                                                                const footpoint_detail_local *r,
+                                                                const footpoint_detail_newton *n, double ball,
+                                                                double x, double y, int corrected, double *error)
 {
-    const double x = *p, y = *q, unit = 1.12e-16;
+    const double unit = 1.12e-16, mixed = fabs(n->r12);
     const double inner = footpoint_detail_gregory_inner(of, x, y);
     const double third = of->net.third[0] + inner, fourth = of->net.third[1] + inner;
     const double u = footpoint_detail_sum(r->u), v = footpoint_detail_sum(r->v);
@@ -1113,32 +1136,59 @@ FOOTPOINT_PART unsigned long long footpoint_detail_gregory_step(const footpoint_
     const double r1 = u + ball * a1, r2 = v + ball * a2, both = r1 + r2, away = d + ball * both;
     const double l1 = r1 * a + 2.0 * both * a1 + away * third;
     const double l2 = r2 * a + 2.0 * both * a2 + away * fourth;
-    double rows[2], mixed, step, s, t, off, w, e, h, room, other;
-    footpoint_detail_newton n;
-    footpoint_detail_newton_of(r, &n);
-    mixed = fabs(n.r12);
+    double rows[2], step, off, w, e, h, other;
     footpoint_detail_gregory_off(&of->net, u, v, d, 0.0, rows);
-    off = footpoint_detail_net_most(n.r22 * rows[0] + mixed * rows[1],
-                                    n.r11 * rows[1] + mixed * rows[0]);
-    w = footpoint_detail_net_most(n.r22 * l1 + mixed * l2, mixed * l1 + n.r11 * l2);
-    e = 7000.0 * unit * (far * far) * (footpoint_detail_net_most(n.r11, n.r22) + mixed);
-    step = footpoint_detail_net_most(fabs(n.s), fabs(n.t));
-    s = x + n.s;
-    t = y + n.t;
+    off = footpoint_detail_net_most(n->r22 * rows[0] + mixed * rows[1],
+                                    n->r11 * rows[1] + mixed * rows[0]);
+    w = footpoint_detail_net_most(n->r22 * l1 + mixed * l2, mixed * l1 + n->r11 * l2);
+    e = 7000.0 * unit * (far * far) * (footpoint_detail_net_most(n->r11, n->r22) + mixed);
+    step = footpoint_detail_net_most(fabs(n->s), fabs(n->t));
+    e *= n->per;
+    off = n->per * off + (corrected ? 0.5 : 0.3) * e * step;
+    h = w * n->per * (step + 2.0 * off);
+    *error = 0.72 * h * step + 1.2 * off;
+    if (corrected) {
+        const double some = 0.72 * away, more = 0.24 * ball, most = step + off, rate = h + e * step;
+        const double sum = third + fourth;
+        const double k1 = some * third + more * (2.0 * both * third + 3.0 * a1 * a + r1 * sum);
+        const double k2 = some * fourth + more * (2.0 * both * fourth + 3.0 * a2 * a + r2 * sum);
+        const double k =
+            footpoint_detail_net_most(n->r22 * k1 + mixed * k2, mixed * k1 + n->r11 * k2);
+        *error = (0.77 * rate * rate + n->per * k * most) * most + 1.3 * off;
+    }
+    other = 0.249 - (h + e);
+    return footpoint_detail_bits(other) | footpoint_detail_bits(ball - 1.25 * (step + off)) |
+           footpoint_detail_bits(footpoint_detail_gregory_ball(x, y) - ball) |
+           footpoint_detail_bits(1.01 - of->net.tilt) | footpoint_detail_bits(n->r11) |
+           footpoint_detail_bits(n->det * (1.0 - 1e-6) - 1e-6 * (n->r12 * n->r12)) |
+           footpoint_detail_fast();
+}
+
+/* Clamps the end (s,t) of a step to the patch, as (*p,*q). The highest bit of the result is not set if an error up to
+ * `error` keeps the promise nevertheless. */
+FOOTPOINT_PART unsigned long long footpoint_detail_gregory_keeps(double s, double t, double error, double promise,
+                                                                 double *p, double *q)
+{
+    double room;
     *p = footpoint_detail_gregory_kept(s);
     *q = footpoint_detail_gregory_kept(t);
-    e *= n.per;
-    off = n.per * off + 0.3 * e * step;
-    h = w * n.per * (step + 2.0 * off);
-    room = footpoint_detail_net_most(fabs(s - *p), fabs(t - *q)) + (0.72 * h * step + 1.2 * off);
+    room = footpoint_detail_net_most(fabs(s - *p), fabs(t - *q)) + error;
     room = 0.999 * promise - room;
-    other = 0.249 - (h + e);
-    return footpoint_detail_bits(room) | footpoint_detail_bits(other) |
-           footpoint_detail_bits(ball - 1.25 * (step + off)) |
-           footpoint_detail_bits(footpoint_detail_gregory_ball(x, y) - ball) |
-           footpoint_detail_bits(1.01 - of->net.tilt) | footpoint_detail_bits(n.r11) |
-           footpoint_detail_bits(n.det * (1.0 - 1e-6) - 1e-6 * (n.r12 * n.r12)) |
-           footpoint_detail_infinite(room + other) | footpoint_detail_fast();
+    return footpoint_detail_bits(room) | footpoint_detail_infinite(room);
+}
+
+/* Takes Newton's step from (*p,*q), whose surface is r, clamped to the patch. The highest bit of the result is not set
+ * if the answer is proved. */
+FOOTPOINT_PART unsigned long long footpoint_detail_gregory_step(const footpoint_detail_gregory_terms *of,
+                                                                const footpoint_detail_local *r, double ball,
+                                                                double promise, double *p, double *q)
+{
+    footpoint_detail_newton n;
+    unsigned long long doubt;
+    double error;
+    footpoint_detail_newton_of(r, &n);
+    doubt = footpoint_detail_gregory_root(of, r, &n, ball, *p, *q, 0, &error);
+    return doubt | footpoint_detail_gregory_keeps(*p + n.s, *q + n.t, error, promise, p, q);
 }
 
 /* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step, or the next two inside
@@ -1371,10 +1421,10 @@ FOOTPOINT_PART unsigned long long footpoint_detail_gregory_strayed(const double 
     return footpoint_detail_above(xi - loc[0], 1.0) | footpoint_detail_above(eta - loc[1], 1.0);
 }
 
-/* Moves from loc to the foot point (*xi,*eta) and computes the gap there. It takes corrected Newton steps until the
- * next one is so short that footpoint_detail_gregory_step() mostly proves it. The highest bit of the result is not set if
- * a minimum of the distance is proved to lie within `promise` of the answer, which is at most half of the patch away
- * from loc. Any loc is allowed, also NaN. Nothing is proved if a step leaves the patch. */
+/* Moves from loc to the foot point (*xi,*eta) and computes the gap there. It takes Chebyshev's steps until Newton's or
+ * Chebyshev's is so short that it mostly can be proved. The highest bit of the result is not set if a minimum of the
+ * distance is proved to lie within `promise` of the answer, which is at most half of the patch away from loc. Any loc is
+ * allowed, also NaN. Nothing is proved if a step leaves the patch. */
 FOOTPOINT_APART unsigned long long footpoint_detail_gregory_from(const double *const *x, double promise,
                                                                  double least,
                                                                  const double loc[2], double *xi, double *eta,
@@ -1384,7 +1434,7 @@ FOOTPOINT_APART unsigned long long footpoint_detail_gregory_from(const double *c
     footpoint_detail_local r;
     footpoint_detail_newton n;
     unsigned long long doubt = (unsigned long long)1 << 63;
-    double p, q, size, step = 1.0;
+    double p, q, size, error, step = 1.0, h[2] = {0.0, 0.0};
     int k;
     *gap = 0.0;
     if (footpoint_detail_infinite(loc[0] + loc[1]) >> 63)
@@ -1393,6 +1443,7 @@ FOOTPOINT_APART unsigned long long footpoint_detail_gregory_from(const double *c
     q = footpoint_detail_gregory_kept(loc[1]);
     footpoint_detail_gregory_expand(x, &of);
     for (k = 0; k < 5 && doubt >> 63; k++) {
+        const double x0 = p, y0 = q;
         footpoint_detail_gregory_local(&of, p, q, &r);
         footpoint_detail_newton_of(&r, &n);
         step = footpoint_detail_net_most(fabs(n.s), fabs(n.t));
@@ -1400,19 +1451,28 @@ FOOTPOINT_APART unsigned long long footpoint_detail_gregory_from(const double *c
              footpoint_detail_above(q + n.t, 1.0 + promise)) >>
             63)
             return doubt;
-        if (10.0 * step * step < promise) {
-            *xi = p;
-            *eta = q;
-            doubt = footpoint_detail_gregory_step(&of, &r, 1.5 * step + 1e-6, promise, xi, eta);
-            n.s = *xi - p;
-            n.t = *eta - q;
-            p = *xi;
-            q = *eta;
-        } else
-            footpoint_detail_gregory_correct(&r, &n, &p, &q);
+        if (4.0 * step * step < promise) {
+            const double ball = footpoint_detail_gregory_proof_ball(step);
+            doubt = footpoint_detail_gregory_root(&of, &r, &n, ball, p, q, 0, &error);
+            doubt |= footpoint_detail_gregory_keeps(p + n.s, q + n.t, error, promise, &p, &q);
+        } else {
+            footpoint_detail_gregory_chebyshev(&r, &n, h);
+            if (step * step * (0.1 + 10.0 * step) < promise) {
+                const double ball = 1.5 * step + 1e-6;
+                doubt = footpoint_detail_gregory_root(&of, &r, &n, ball, p, q, 1, &error);
+                doubt |= footpoint_detail_gregory_keeps(p + h[0], q + h[1], error, promise, &p, &q);
+            } else {
+                p = footpoint_detail_gregory_kept(p + h[0]);
+                q = footpoint_detail_gregory_kept(q + h[1]);
+            }
+        }
+        h[0] = p - x0;
+        h[1] = q - y0;
     }
+    *xi = p;
+    *eta = q;
     if (step < 1e-3)
-        footpoint_detail_net_follow(n.s, n.t, &r);
+        footpoint_detail_net_follow(h[0], h[1], &r);
     else
         footpoint_detail_gregory_local(&of, p, q, &r);
     size = of.net.base * of.net.base;
@@ -2079,12 +2139,11 @@ FOOTPOINT_PART float footpoint_detail_f_gregory_lanes_kept(float p)
     return most > -1.0f ? most : -1.0f;
 }
 
-/* Takes a step of Chebyshev's method from (*p,*q), whose surface is r: Newton's step n and a second-order correction without
- * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved.
- * Numerators are computed beside the division of n, without waiting for it. */
-FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_correct(const footpoint_detail_f_local *r,
-                                                             const footpoint_detail_f_newton *n, float *p,
-                                                             float *q)
+/* Computes a step h of Chebyshev's method where the surface is r: Newton's step n and a second-order correction without
+ * third derivatives. The error falls by the third power until these matter. Numerators are computed beside the division
+ * of n, without waiting for it. */
+FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_chebyshev(const footpoint_detail_f_local *r,
+                                                               const footpoint_detail_f_newton *n, float h[2])
 {
     const float uuu = 1.5f * footpoint_detail_f_dot(r->u, r->uu);
     const float vvv = 1.5f * footpoint_detail_f_dot(r->v, r->vv);
@@ -2094,8 +2153,19 @@ FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_correct(const footpoint_det
     const float s = n->r22 * f - n->r12 * g, t = n->r11 * g - n->r12 * f;
     const float ss = s * s, st = s * t, tt = t * t, square = n->per * n->per;
     const float a = uuu * ss + uuv * st + 0.5f * uvv * tt, b = 0.5f * uuv * ss + uvv * st + vvv * tt;
-    *p = footpoint_detail_f_gregory_lanes_kept(*p + n->per * (s - square * (n->r22 * a - n->r12 * b)));
-    *q = footpoint_detail_f_gregory_lanes_kept(*q + n->per * (t - square * (n->r11 * b - n->r12 * a)));
+    h[0] = n->per * (s - square * (n->r22 * a - n->r12 * b));
+    h[1] = n->per * (t - square * (n->r11 * b - n->r12 * a));
+}
+
+/* Takes such a step from (*p,*q), clamped to the patch, not proved. */
+FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_correct(const footpoint_detail_f_local *r,
+                                                             const footpoint_detail_f_newton *n, float *p,
+                                                             float *q)
+{
+    float h[2];
+    footpoint_detail_f_gregory_lanes_chebyshev(r, n, h);
+    *p = footpoint_detail_f_gregory_lanes_kept(*p + h[0]);
+    *q = footpoint_detail_f_gregory_lanes_kept(*q + h[1]);
 }
 
 /* Such a step from (*p,*q). */
@@ -2885,12 +2955,11 @@ FOOTPOINT_PART double footpoint_detail_gregory_lanes_kept(double p)
     return most > -1.0 ? most : -1.0;
 }
 
-/* Takes a step of Chebyshev's method from (*p,*q), whose surface is r: Newton's step n and a second-order correction without
- * third derivatives. The error falls by the third power until these matter. The result is clamped to the patch, not proved.
- * Numerators are computed beside the division of n, without waiting for it. */
-FOOTPOINT_PART void footpoint_detail_gregory_lanes_correct(const footpoint_detail_local *r,
-                                                           const footpoint_detail_newton *n, double *p,
-                                                           double *q)
+/* Computes a step h of Chebyshev's method where the surface is r: Newton's step n and a second-order correction without
+ * third derivatives. The error falls by the third power until these matter. Numerators are computed beside the division
+ * of n, without waiting for it. */
+FOOTPOINT_PART void footpoint_detail_gregory_lanes_chebyshev(const footpoint_detail_local *r,
+                                                             const footpoint_detail_newton *n, double h[2])
 {
     const double uuu = 1.5 * footpoint_detail_dot(r->u, r->uu);
     const double vvv = 1.5 * footpoint_detail_dot(r->v, r->vv);
@@ -2900,8 +2969,19 @@ FOOTPOINT_PART void footpoint_detail_gregory_lanes_correct(const footpoint_detai
     const double s = n->r22 * f - n->r12 * g, t = n->r11 * g - n->r12 * f;
     const double ss = s * s, st = s * t, tt = t * t, square = n->per * n->per;
     const double a = uuu * ss + uuv * st + 0.5 * uvv * tt, b = 0.5 * uuv * ss + uvv * st + vvv * tt;
-    *p = footpoint_detail_gregory_lanes_kept(*p + n->per * (s - square * (n->r22 * a - n->r12 * b)));
-    *q = footpoint_detail_gregory_lanes_kept(*q + n->per * (t - square * (n->r11 * b - n->r12 * a)));
+    h[0] = n->per * (s - square * (n->r22 * a - n->r12 * b));
+    h[1] = n->per * (t - square * (n->r11 * b - n->r12 * a));
+}
+
+/* Takes such a step from (*p,*q), clamped to the patch, not proved. */
+FOOTPOINT_PART void footpoint_detail_gregory_lanes_correct(const footpoint_detail_local *r,
+                                                           const footpoint_detail_newton *n, double *p,
+                                                           double *q)
+{
+    double h[2];
+    footpoint_detail_gregory_lanes_chebyshev(r, n, h);
+    *p = footpoint_detail_gregory_lanes_kept(*p + h[0]);
+    *q = footpoint_detail_gregory_lanes_kept(*q + h[1]);
 }
 
 /* Such a step from (*p,*q). */

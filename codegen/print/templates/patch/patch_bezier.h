@@ -37,3 +37,10 @@ FOOTPOINT_PART REAL footpoint_detail_bezier_ball(REAL p, REAL q)
     (void)p, (void)q;
     return 0.125;
 }
+
+/* Returns the ball for a step from a near start: a fixed one, so that bounds do not wait for the step. */
+FOOTPOINT_PART REAL footpoint_detail_bezier_proof_ball(REAL step)
+{
+    (void)step;
+    return 0.0625;
+}

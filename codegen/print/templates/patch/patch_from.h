@@ -6,10 +6,10 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_strayed(const REAL loc[2], REAL x
     return footpoint_detail_above(xi - loc[0], 1.0) | footpoint_detail_above(eta - loc[1], 1.0);
 }
 
-/* Moves from loc to the foot point (*xi,*eta) and computes the gap there. It takes corrected Newton steps until the
- * next one is so short that footpoint_detail_KIND_step() mostly proves it. The highest bit of the result is not set if
- * a minimum of the distance is proved to lie within `promise` of the answer, which is at most half of the patch away
- * from loc. Any loc is allowed, also NaN. Nothing is proved if a step leaves the patch. */
+/* Moves from loc to the foot point (*xi,*eta) and computes the gap there. It takes Chebyshev's steps until Newton's or
+ * Chebyshev's is so short that it mostly can be proved. The highest bit of the result is not set if a minimum of the
+ * distance is proved to lie within `promise` of the answer, which is at most half of the patch away from loc. Any loc is
+ * allowed, also NaN. Nothing is proved if a step leaves the patch. */
 FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL promise, REAL least,
                                                      const REAL loc[2], REAL *xi, REAL *eta,
                                                      REAL *gap)
@@ -18,7 +18,7 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL 
     footpoint_detail_local r;
     footpoint_detail_newton n;
     REAL_BITS doubt = (REAL_BITS)1 << REAL_TOP;
-    REAL p, q, size, step = 1.0;
+    REAL p, q, size, error, step = 1.0, h[2] = {0.0, 0.0};
     int k;
     *gap = 0.0;
     if (footpoint_detail_infinite(loc[0] + loc[1]) >> REAL_TOP)
@@ -27,6 +27,7 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL 
     q = footpoint_detail_KIND_kept(loc[1]);
     footpoint_detail_KIND_expand(x, &of);
     for (k = 0; k < 5 && doubt >> REAL_TOP; k++) {
+        const REAL x0 = p, y0 = q;
         footpoint_detail_KIND_local(&of, p, q, &r);
         footpoint_detail_newton_of(&r, &n);
         step = footpoint_detail_net_most(fabs(n.s), fabs(n.t));
@@ -34,19 +35,28 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL 
              footpoint_detail_above(q + n.t, 1.0 + promise)) >>
             REAL_TOP)
             return doubt;
-        if (10.0 * step * step < promise) {
-            *xi = p;
-            *eta = q;
-            doubt = footpoint_detail_KIND_step(&of, &r, 1.5 * step + 1e-6, promise, xi, eta);
-            n.s = *xi - p;
-            n.t = *eta - q;
-            p = *xi;
-            q = *eta;
-        } else
-            footpoint_detail_KIND_correct(&r, &n, &p, &q);
+        if (4.0 * step * step < promise) {
+            const REAL ball = footpoint_detail_KIND_proof_ball(step);
+            doubt = footpoint_detail_KIND_root(&of, &r, &n, ball, p, q, 0, &error);
+            doubt |= footpoint_detail_KIND_keeps(p + n.s, q + n.t, error, promise, &p, &q);
+        } else {
+            footpoint_detail_KIND_chebyshev(&r, &n, h);
+            if (step * step * (0.1 + 10.0 * step) < promise) {
+                const REAL ball = 1.5 * step + 1e-6;
+                doubt = footpoint_detail_KIND_root(&of, &r, &n, ball, p, q, 1, &error);
+                doubt |= footpoint_detail_KIND_keeps(p + h[0], q + h[1], error, promise, &p, &q);
+            } else {
+                p = footpoint_detail_KIND_kept(p + h[0]);
+                q = footpoint_detail_KIND_kept(q + h[1]);
+            }
+        }
+        h[0] = p - x0;
+        h[1] = q - y0;
     }
+    *xi = p;
+    *eta = q;
     if (step < 1e-3)
-        footpoint_detail_net_follow(n.s, n.t, &r);
+        footpoint_detail_net_follow(h[0], h[1], &r);
     else
         footpoint_detail_KIND_local(&of, p, q, &r);
     size = of.net.base * of.net.base;

@@ -253,3 +253,9 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_ball(REAL p, REAL q)
 {
     return 0.2475 - footpoint_detail_net_most(0.125 * (fabs(p) + fabs(q)), 0.1225);
 }
+
+/* Returns the ball for a step from a near start: a small one, because third derivatives are large. */
+FOOTPOINT_PART REAL footpoint_detail_gregory_proof_ball(REAL step)
+{
+    return 1.5 * step + 1e-6;
+}

@@ -12,10 +12,10 @@ FOOTPOINT_PART void footpoint_detail_KIND_off(const footpoint_detail_net *t, REA
     off[1] = place * v + turn;
 }
 
-/* Takes Newton's step from a point in the patch, whose surface is r. The highest bit of the result is not set if a
- * minimum of the distance is proved to lie within `promise` of the answer, on the patch or on the surface that its
- * polynomials make beside it. `ball` is at least 5/4 of the step; if it does not depend on the step, bounds are
- * computed beside it.
+/* Bounds the error of Newton's step n from the point (x,y) in the patch, whose surface is r, or of Chebyshev's step from
+ * there if `corrected`. The highest bit of the result is not set if a minimum of the distance is proved to lie within
+ * *error of the step's end, on the patch or on the surface that its polynomials make beside it, unless *error is no
+ * number. `ball` is at least 5/4 of the step; if it does not depend on the step, bounds are computed beside it.
  *
  * By Newton and Kantorovich, in maximum norms: F = (r_xi . D, r_eta . D), D = xS - r, has the Jacobian -H, H = [r11
  * r12; r12 r22]; `step` = |H^-1 F|. Row i of the derivatives of H adds up to at most l_i = R_i A + 2 R A_i + |D| T_i,
@@ -24,16 +24,23 @@ FOOTPOINT_PART void footpoint_detail_KIND_off(const footpoint_detail_net *t, REA
  * x|. If h = w step <= 1/4, then there is a root within 1.2 step of x, it is within 0.7 h step of the step's end, and H
  * is positive definite on the whole way there.
  *
+ * Corrected: H' = K - r_ijk . D, and Chebyshev's step is n - H^-1 K(n,n) / 2. At the root x + z, F = H z + K(z,z) / 2 +
+ * S, where row i of S has at most |D| T_i |z|^2 / 2 and, as K changes, k_i |z|^3 / 6, k_i = 2 T_i R + 3 A_i A + R_i T.
+ * As |H^-1 K(z + n, z - n)| <= w 2.2 step 0.7 h step, the error is at most 0.77 h^2 step + |H^-1| (0.72 |D| T_i + 0.288
+ * k_i step) step^2, and step <= 0.8 ball.
+ *
  * Rounding: F is off by `off`, entries of H by 910 u far^2, far = |D| + net.far: 2 2.5 35 and 19 for r_i . r_j, 280 +
  * 3.5 12 for r_ij . D. Let e = 1820 u far^2 |H^-1|. It adds 0.27 e to h. l_i, off by 5 far 2 1680 u far for |r_ij|
  * twice, adds 3400 u far^2 |H^-1|, as steps are at most 0.1. So 7000 u far^2 |H^-1| is subtracted from the limit of h.
  * This keeps e below 0.07, so H is definite, too. The weak inequality of `det` keeps the rounding errors of w and of
- * the step below the margins of 0.72, 0.249 and 0.999. */
-FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_terms *of,
-                                                    const footpoint_detail_local *r, REAL ball,
-                                                    REAL promise, REAL *p, REAL *q)
+ * the step below the margins of 0.72, 0.249 and 0.999. K(n,n) / 2 is off by 5500 u far^2 step^2, which makes 0.3 e
+ * step, and by 0.4 e step because H^-1 and n are. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_root(const footpoint_detail_KIND_terms *of,
+                                                    const footpoint_detail_local *r,
+                                                    const footpoint_detail_newton *n, REAL ball,
+                                                    REAL x, REAL y, int corrected, REAL *error)
 {
-    const REAL x = *p, y = *q, unit = 1.12e-16;
+    const REAL unit = 1.12e-16, mixed = fabs(n->r12);
     const REAL inner = footpoint_detail_KIND_inner(of, x, y);
     const REAL third = of->net.third[0] + inner, fourth = of->net.third[1] + inner;
     const REAL u = footpoint_detail_sum(r->u), v = footpoint_detail_sum(r->v);
@@ -44,32 +51,59 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
     const REAL r1 = u + ball * a1, r2 = v + ball * a2, both = r1 + r2, away = d + ball * both;
     const REAL l1 = r1 * a + 2.0 * both * a1 + away * third;
     const REAL l2 = r2 * a + 2.0 * both * a2 + away * fourth;
-    REAL rows[2], mixed, step, s, t, off, w, e, h, room, other;
-    footpoint_detail_newton n;
-    footpoint_detail_newton_of(r, &n);
-    mixed = fabs(n.r12);
+    REAL rows[2], step, off, w, e, h, other;
     footpoint_detail_KIND_off(&of->net, u, v, d, 0.0, rows);
-    off = footpoint_detail_net_most(n.r22 * rows[0] + mixed * rows[1],
-                                    n.r11 * rows[1] + mixed * rows[0]);
-    w = footpoint_detail_net_most(n.r22 * l1 + mixed * l2, mixed * l1 + n.r11 * l2);
-    e = 7000.0 * unit * (far * far) * (footpoint_detail_net_most(n.r11, n.r22) + mixed);
-    step = footpoint_detail_net_most(fabs(n.s), fabs(n.t));
-    s = x + n.s;
-    t = y + n.t;
+    off = footpoint_detail_net_most(n->r22 * rows[0] + mixed * rows[1],
+                                    n->r11 * rows[1] + mixed * rows[0]);
+    w = footpoint_detail_net_most(n->r22 * l1 + mixed * l2, mixed * l1 + n->r11 * l2);
+    e = 7000.0 * unit * (far * far) * (footpoint_detail_net_most(n->r11, n->r22) + mixed);
+    step = footpoint_detail_net_most(fabs(n->s), fabs(n->t));
+    e *= n->per;
+    off = n->per * off + (corrected ? 0.5 : 0.3) * e * step;
+    h = w * n->per * (step + 2.0 * off);
+    *error = 0.72 * h * step + 1.2 * off;
+    if (corrected) {
+        const REAL some = 0.72 * away, more = 0.24 * ball, most = step + off, rate = h + e * step;
+        const REAL sum = third + fourth;
+        const REAL k1 = some * third + more * (2.0 * both * third + 3.0 * a1 * a + r1 * sum);
+        const REAL k2 = some * fourth + more * (2.0 * both * fourth + 3.0 * a2 * a + r2 * sum);
+        const REAL k =
+            footpoint_detail_net_most(n->r22 * k1 + mixed * k2, mixed * k1 + n->r11 * k2);
+        *error = (0.77 * rate * rate + n->per * k * most) * most + 1.3 * off;
+    }
+    other = 0.249 - (h + e);
+    return footpoint_detail_bits(other) | footpoint_detail_bits(ball - 1.25 * (step + off)) |
+           footpoint_detail_bits(footpoint_detail_KIND_ball(x, y) - ball) |
+           footpoint_detail_bits(1.01 - of->net.tilt) | footpoint_detail_bits(n->r11) |
+           footpoint_detail_bits(n->det * (1.0 - 1e-6) - 1e-6 * (n->r12 * n->r12)) |
+           footpoint_detail_fast();
+}
+
+/* Clamps the end (s,t) of a step to the patch, as (*p,*q). The highest bit of the result is not set if an error up to
+ * `error` keeps the promise nevertheless. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_keeps(REAL s, REAL t, REAL error, REAL promise,
+                                                     REAL *p, REAL *q)
+{
+    REAL room;
     *p = footpoint_detail_KIND_kept(s);
     *q = footpoint_detail_KIND_kept(t);
-    e *= n.per;
-    off = n.per * off + 0.3 * e * step;
-    h = w * n.per * (step + 2.0 * off);
-    room = footpoint_detail_net_most(fabs(s - *p), fabs(t - *q)) + (0.72 * h * step + 1.2 * off);
+    room = footpoint_detail_net_most(fabs(s - *p), fabs(t - *q)) + error;
     room = 0.999 * promise - room;
-    other = 0.249 - (h + e);
-    return footpoint_detail_bits(room) | footpoint_detail_bits(other) |
-           footpoint_detail_bits(ball - 1.25 * (step + off)) |
-           footpoint_detail_bits(footpoint_detail_KIND_ball(x, y) - ball) |
-           footpoint_detail_bits(1.01 - of->net.tilt) | footpoint_detail_bits(n.r11) |
-           footpoint_detail_bits(n.det * (1.0 - 1e-6) - 1e-6 * (n.r12 * n.r12)) |
-           footpoint_detail_infinite(room + other) | footpoint_detail_fast();
+    return footpoint_detail_bits(room) | footpoint_detail_infinite(room);
+}
+
+/* Takes Newton's step from (*p,*q), whose surface is r, clamped to the patch. The highest bit of the result is not set
+ * if the answer is proved. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_terms *of,
+                                                    const footpoint_detail_local *r, REAL ball,
+                                                    REAL promise, REAL *p, REAL *q)
+{
+    footpoint_detail_newton n;
+    REAL_BITS doubt;
+    REAL error;
+    footpoint_detail_newton_of(r, &n);
+    doubt = footpoint_detail_KIND_root(of, r, &n, ball, *p, *q, 0, &error);
+    return doubt | footpoint_detail_KIND_keeps(*p + n.s, *q + n.t, error, promise, p, q);
 }
 
 /* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step, or the next two inside
