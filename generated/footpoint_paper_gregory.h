@@ -1864,20 +1864,22 @@ FOOTPOINT_PART void footpoint_detail_f_lane_net_follow(float s, float t, footpoi
 #define FOOTPOINT_DETAIL_F_BLOCK
 /* Vectors x of pairs; edges AB, DC, AD, BC, normals, and xS minus the middle, for the search, in a unit of length in
  * which `size`, the sum of the edges' absolute coordinates, is from 1 to 2; that unit. (p,q): the present point of the
- * search; gap. The highest bit of `doubt` is set if they are not proved. */
+ * search; gap. The highest bit of `doubt` is set if they are not proved. It holds `lanes` pairs, 8 or
+ * FOOTPOINT_LANES: loops of a known length vectorise with -O2, too. */
 typedef struct {
     double x[9][3][FOOTPOINT_LANES], unit[FOOTPOINT_LANES];
     float edge[4][3][FOOTPOINT_LANES], normal[4][3][FOOTPOINT_LANES], d[3][FOOTPOINT_LANES];
     float size[FOOTPOINT_LANES], p[FOOTPOINT_LANES], q[FOOTPOINT_LANES], gap[FOOTPOINT_LANES];
     unsigned int doubt[FOOTPOINT_LANES];
+    int lanes;
 } footpoint_detail_f_block;
 
 /* Computes from x everything that precedes a search. */
-FOOTPOINT_APART void footpoint_detail_f_narrow(footpoint_detail_f_block *FOOTPOINT_RESTRICT b)
+FOOTPOINT_PART void footpoint_detail_f_narrow_of(footpoint_detail_f_block *FOOTPOINT_RESTRICT b, int lanes)
 {
     int l, k, i;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         double x[9][3], edge[4][3], d[3], size, inverse;
         FOOTPOINT_UNROLL
         for (k = 0; k < 9; k++) {
@@ -1908,6 +1910,14 @@ FOOTPOINT_APART void footpoint_detail_f_narrow(footpoint_detail_f_block *FOOTPOI
             }
         }
     }
+}
+
+FOOTPOINT_APART void footpoint_detail_f_narrow(footpoint_detail_f_block *FOOTPOINT_RESTRICT b)
+{
+    if (b->lanes == 8)
+        footpoint_detail_f_narrow_of(b, 8);
+    else
+        footpoint_detail_f_narrow_of(b, FOOTPOINT_LANES);
 }
 #endif
 
@@ -2282,12 +2292,13 @@ typedef union {
     float v[footpoint_detail_f_gregory_lanes_count][3];
 } footpoint_detail_f_gregory_lanes_one;
 
-FOOTPOINT_APART void footpoint_detail_f_gregory_lanes_shapes(const footpoint_detail_f_block *FOOTPOINT_RESTRICT b,
-                                                             footpoint_detail_f_gregory_lanes_lanes *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void
+footpoint_detail_f_gregory_lanes_shapes_of(const footpoint_detail_f_block *FOOTPOINT_RESTRICT b,
+                                           footpoint_detail_f_gregory_lanes_lanes *FOOTPOINT_RESTRICT t, int lanes)
 {
     int l, k, i;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_f_gregory_lanes_one one;
         footpoint_detail_f_lane_net_bent bent[4];
         float n[4][3];
@@ -2313,6 +2324,15 @@ FOOTPOINT_APART void footpoint_detail_f_gregory_lanes_shapes(const footpoint_det
     }
 }
 
+FOOTPOINT_APART void footpoint_detail_f_gregory_lanes_shapes(const footpoint_detail_f_block *FOOTPOINT_RESTRICT b,
+                                                             footpoint_detail_f_gregory_lanes_lanes *FOOTPOINT_RESTRICT t)
+{
+    if (b->lanes == 8)
+        footpoint_detail_f_gregory_lanes_shapes_of(b, t, 8);
+    else
+        footpoint_detail_f_gregory_lanes_shapes_of(b, t, FOOTPOINT_LANES);
+}
+
 /* Copies the patch of a lane, with xS of another. */
 FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_take(const footpoint_detail_f_block *b,
                                                           const footpoint_detail_f_gregory_lanes_lanes *t,
@@ -2330,13 +2350,14 @@ FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_take(const footpoint_detail
         one->of.net.d[i] = b->d[i][l];
 }
 
-FOOTPOINT_APART void
-footpoint_detail_f_gregory_lanes_bares(footpoint_detail_f_block *FOOTPOINT_RESTRICT b,
-                                       const footpoint_detail_f_gregory_lanes_lanes *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void
+footpoint_detail_f_gregory_lanes_bares_of(footpoint_detail_f_block *FOOTPOINT_RESTRICT b,
+                                          const footpoint_detail_f_gregory_lanes_lanes *FOOTPOINT_RESTRICT t,
+                                          int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_f_gregory_lanes_one one;
         footpoint_detail_f_gregory_lanes_take(b, t, l, &one);
         footpoint_detail_f_gregory_lanes_bare(&one.of, &b->p[l], &b->q[l]);
@@ -2344,13 +2365,23 @@ footpoint_detail_f_gregory_lanes_bares(footpoint_detail_f_block *FOOTPOINT_RESTR
 }
 
 FOOTPOINT_APART void
-footpoint_detail_f_gregory_lanes_proofs(footpoint_detail_f_block *FOOTPOINT_RESTRICT b,
-                                        const footpoint_detail_f_gregory_lanes_lanes *FOOTPOINT_RESTRICT t,
-                                        float promise)
+footpoint_detail_f_gregory_lanes_bares(footpoint_detail_f_block *FOOTPOINT_RESTRICT b,
+                                       const footpoint_detail_f_gregory_lanes_lanes *FOOTPOINT_RESTRICT t)
+{
+    if (b->lanes == 8)
+        footpoint_detail_f_gregory_lanes_bares_of(b, t, 8);
+    else
+        footpoint_detail_f_gregory_lanes_bares_of(b, t, FOOTPOINT_LANES);
+}
+
+FOOTPOINT_PART void
+footpoint_detail_f_gregory_lanes_proofs_of(footpoint_detail_f_block *FOOTPOINT_RESTRICT b,
+                                           const footpoint_detail_f_gregory_lanes_lanes *FOOTPOINT_RESTRICT t,
+                                           float promise, int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         const float p = b->p[l], q = b->q[l], size = b->size[l];
         footpoint_detail_f_gregory_lanes_one one;
         footpoint_detail_f_local r;
@@ -2368,24 +2399,38 @@ footpoint_detail_f_gregory_lanes_proofs(footpoint_detail_f_block *FOOTPOINT_REST
     }
 }
 
+FOOTPOINT_APART void
+footpoint_detail_f_gregory_lanes_proofs(footpoint_detail_f_block *FOOTPOINT_RESTRICT b,
+                                        const footpoint_detail_f_gregory_lanes_lanes *FOOTPOINT_RESTRICT t,
+                                        float promise)
+{
+    if (b->lanes == 8)
+        footpoint_detail_f_gregory_lanes_proofs_of(b, t, promise, 8);
+    else
+        footpoint_detail_f_gregory_lanes_proofs_of(b, t, promise, FOOTPOINT_LANES);
+}
+
 /* Computes the start of a search. */
 typedef void footpoint_detail_f_gregory_lanes_begin(footpoint_detail_f_block *b);
 
-/* Loads columns of pairs, or of slave nodes, from `first` on; repeats the last to fill the block. */
+/* Loads columns of `count` pairs, or slave nodes, from `first` on; repeats the last to fill the block. */
 FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_load(footpoint_detail_f_block *b, const double *const *column,
                                                           int begin,
-                                                          size_t first, size_t n)
+                                                          size_t first, int count)
 {
     int k, l;
     for (k = begin; k < 27; k++) {
         double *const to = b->x[k / 3][k % 3];
         const double *const from = column[k - begin] + first;
-        if (n - first >= FOOTPOINT_LANES)
+        if (count == FOOTPOINT_LANES)
             for (l = 0; l < FOOTPOINT_LANES; l++)
                 to[l] = from[l];
-        else
-            for (l = 0; l < FOOTPOINT_LANES; l++)
-                to[l] = from[(size_t)l < n - first ? (size_t)l : n - first - 1];
+        else {
+            for (l = 0; l < count; l++)
+                to[l] = from[l];
+            for (; l < b->lanes; l++)
+                to[l] = from[count - 1];
+        }
     }
 }
 
@@ -2420,7 +2465,7 @@ FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_resume(footpoint_detail_f_b
                                                             int count, const double *xi, const double *eta)
 {
     int l;
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < b->lanes; l++) {
         const int from = l < count ? l : count - 1;
         const float x = (float)(last->loc[0][l] = xi[from]), y = (float)(last->loc[1][l] = eta[from]);
         const int good =
@@ -2440,12 +2485,12 @@ FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_settle(footpoint_detail_f_b
     int l;
     for (; most > 0 && 10.0f * left * left > promise; most--) {
         float longest = 0.0f;
-        for (l = 0; l < FOOTPOINT_LANES; l++) {
+        for (l = 0; l < b->lanes; l++) {
             p[l] = b->p[l];
             q[l] = b->q[l];
         }
         footpoint_detail_f_gregory_lanes_bares(b, t);
-        for (l = 0; l < FOOTPOINT_LANES; l++)
+        for (l = 0; l < b->lanes; l++)
             longest = footpoint_detail_f_greater(
                 longest, footpoint_detail_f_greater(fabsf(b->p[l] - p[l]), fabsf(b->q[l] - q[l])));
         left = longest * longest * (0.3f * longest + 0.003f);
@@ -2457,13 +2502,27 @@ FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_astray(footpoint_detail_f_b
                                                             const footpoint_detail_f_gregory_lanes_last *last)
 {
     int l;
-    for (l = 0; l < FOOTPOINT_LANES; l++)
+    for (l = 0; l < b->lanes; l++)
         b->doubt[l] |= footpoint_detail_f_above(b->p[l] - (float)last->loc[0][l], 1.0f) |
                        footpoint_detail_f_above(b->q[l] - (float)last->loc[1][l], 1.0f);
 }
 
+/* Searches a pair as NAME does; if `tried` is 1, only after its first attempt. */
+FOOTPOINT_PART int footpoint_detail_f_gregory_lanes_alone(footpoint_detail_search *search, int tried,
+                                                          const double *const *row, double promise,
+                                                          double loc[2], double *gap)
+{
+    double xi, eta, g;
+    if (tried || search(row, 2, 0.0f, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(search, row, 4, promise, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
 /* Searches unproved pairs one by one, from the last answers unless `last` is NULL. */
-FOOTPOINT_COLD void footpoint_detail_f_gregory_lanes_mend(footpoint_detail_search *search,
+FOOTPOINT_COLD void footpoint_detail_f_gregory_lanes_mend(footpoint_detail_search *search, int tried,
                                                           const footpoint_detail_f_block *b,
                                                           const footpoint_detail_f_gregory_lanes_last *last,
                                                           int count,
@@ -2479,15 +2538,40 @@ FOOTPOINT_COLD void footpoint_detail_f_gregory_lanes_mend(footpoint_detail_searc
                 x[k / 3][k % 3] = b->x[k / 3][k % 3][l];
             for (k = 0; last && k < 2; k++)
                 loc[k] = last->loc[k][l];
-            status[l] = last ? footpoint_detail_gregory_further(search, row, promise, loc, &gap[l])
-                             : footpoint_detail_gregory_answer(search, row, 4, promise, loc, &gap[l]);
+            status[l] =
+                last ? footpoint_detail_gregory_further(search, row, promise, loc, &gap[l])
+                     : footpoint_detail_f_gregory_lanes_alone(search, tried, row, promise, loc, &gap[l]);
             xi[l] = loc[0];
             eta[l] = loc[1];
         }
 }
 
+/* Searches side by side, from the start of a search or, if `begin` is NULL, from the last answers. `shared` is 1 if t
+ * has the patch. */
+FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_search(footpoint_detail_f_gregory_lanes_begin *begin, int bare,
+                                                            int shared, footpoint_detail_f_block *b,
+                                                            footpoint_detail_f_gregory_lanes_lanes *t,
+                                                            const footpoint_detail_f_gregory_lanes_last *last,
+                                                            double promise)
+{
+    int k;
+    footpoint_detail_f_narrow(b);
+    if (!shared)
+        footpoint_detail_f_gregory_lanes_shapes(b, t);
+    if (begin) {
+        begin(b);
+        for (k = 0; k < bare; k++)
+            footpoint_detail_f_gregory_lanes_bares(b, t);
+    } else
+        footpoint_detail_f_gregory_lanes_settle(b, t, bare, (float)promise);
+    footpoint_detail_f_gregory_lanes_proofs(b, t, (float)promise);
+    if (!begin)
+        footpoint_detail_f_gregory_lanes_astray(b, last);
+}
+
 /* Searches n pairs or, unless `segment` is NULL, n slave nodes over one segment; `column` holds their coordinates. It
- * starts with `begin` or, if that is NULL, from the last answers in xi and eta, with at most `bare` steps. */
+ * starts with `begin` or, if that is NULL, from the last answers in xi and eta, with at most `bare` steps. A few pairs are
+ * quicker one by one. */
 FOOTPOINT_APART void footpoint_detail_f_gregory_lanes_run(footpoint_detail_f_gregory_lanes_begin *begin, int bare,
                                                           footpoint_detail_search *search,
                                                           const double *const *segment,
@@ -2495,35 +2579,31 @@ FOOTPOINT_APART void footpoint_detail_f_gregory_lanes_run(footpoint_detail_f_gre
                                                           double promise, double *xi, double *eta, double *gap,
                                                           int *status)
 {
+    const int few = begin ? 4 : 1;
     footpoint_detail_f_block b;
     footpoint_detail_f_gregory_lanes_lanes t;
     footpoint_detail_f_gregory_lanes_last last;
     size_t i;
-    int l, k;
+    int count, l, k;
     for (k = 0; segment && k < 24; k++)
         for (l = 0; l < FOOTPOINT_LANES; l++)
             b.x[k / 3][k % 3][l] = segment[k / 3][k % 3];
-    for (i = 0; i < n; i += FOOTPOINT_LANES) {
-        const int count = n - i < FOOTPOINT_LANES ? (int)(n - i) : FOOTPOINT_LANES;
-        footpoint_detail_f_gregory_lanes_load(&b, column, segment ? 24 : 0, i, n);
-        footpoint_detail_f_narrow(&b);
-        if (i == 0 || !segment)
-            footpoint_detail_f_gregory_lanes_shapes(&b, &t);
-        if (begin) {
-            begin(&b);
-            for (k = 0; k < bare; k++)
-                footpoint_detail_f_gregory_lanes_bares(&b, &t);
-        } else {
-            footpoint_detail_f_gregory_lanes_resume(&b, &last, count, xi + i, eta + i);
-            footpoint_detail_f_gregory_lanes_settle(&b, &t, bare, (float)promise);
-        }
-        footpoint_detail_f_gregory_lanes_proofs(&b, &t, (float)promise);
+    for (i = 0; i < n; i += (size_t)count) {
+        unsigned int doubt = (unsigned int)1 << 31;
+        b.lanes = n - i > 8 ? FOOTPOINT_LANES : 8;
+        count = n - i < (size_t)b.lanes ? (int)(n - i) : b.lanes;
+        footpoint_detail_f_gregory_lanes_load(&b, column, segment ? 24 : 0, i, count);
         if (!begin)
-            footpoint_detail_f_gregory_lanes_astray(&b, &last);
-        if (footpoint_detail_f_gregory_lanes_store(&b, count, xi + i, eta + i, gap + i, status + i) >>
-            31)
-            footpoint_detail_f_gregory_lanes_mend(search, &b, begin ? NULL : &last, count, promise, xi + i,
-                                                  eta + i, gap + i, status + i);
+            footpoint_detail_f_gregory_lanes_resume(&b, &last, count, xi + i, eta + i);
+        if (count >= few) {
+            footpoint_detail_f_gregory_lanes_search(begin, bare, segment && i > 0, &b, &t, &last, promise);
+            doubt = footpoint_detail_f_gregory_lanes_store(&b, count, xi + i, eta + i, gap + i, status + i);
+        } else
+            for (l = 0; l < count; l++)
+                b.doubt[l] = doubt;
+        if (doubt >> 31)
+            footpoint_detail_f_gregory_lanes_mend(search, count >= few, &b, begin ? NULL : &last, count,
+                                                  promise, xi + i, eta + i, gap + i, status + i);
     }
 }
 #endif
@@ -2680,20 +2760,22 @@ FOOTPOINT_PART void footpoint_detail_lane_net_follow(double s, double t, footpoi
 #define FOOTPOINT_DETAIL_BLOCK
 /* Vectors x of pairs; edges AB, DC, AD, BC, normals, and xS minus the middle, for the search, in a unit of length in
  * which `size`, the sum of the edges' absolute coordinates, is from 1 to 2; that unit. (p,q): the present point of the
- * search; gap. The highest bit of `doubt` is set if they are not proved. */
+ * search; gap. The highest bit of `doubt` is set if they are not proved. It holds `lanes` pairs, 8 or
+ * FOOTPOINT_LANES: loops of a known length vectorise with -O2, too. */
 typedef struct {
     double x[9][3][FOOTPOINT_LANES], unit[FOOTPOINT_LANES];
     double edge[4][3][FOOTPOINT_LANES], normal[4][3][FOOTPOINT_LANES], d[3][FOOTPOINT_LANES];
     double size[FOOTPOINT_LANES], p[FOOTPOINT_LANES], q[FOOTPOINT_LANES], gap[FOOTPOINT_LANES];
     unsigned long long doubt[FOOTPOINT_LANES];
+    int lanes;
 } footpoint_detail_block;
 
 /* Computes from x everything that precedes a search. */
-FOOTPOINT_APART void footpoint_detail_narrow(footpoint_detail_block *FOOTPOINT_RESTRICT b)
+FOOTPOINT_PART void footpoint_detail_narrow_of(footpoint_detail_block *FOOTPOINT_RESTRICT b, int lanes)
 {
     int l, k, i;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         double x[9][3], edge[4][3], d[3], size, inverse;
         FOOTPOINT_UNROLL
         for (k = 0; k < 9; k++) {
@@ -2724,6 +2806,14 @@ FOOTPOINT_APART void footpoint_detail_narrow(footpoint_detail_block *FOOTPOINT_R
             }
         }
     }
+}
+
+FOOTPOINT_APART void footpoint_detail_narrow(footpoint_detail_block *FOOTPOINT_RESTRICT b)
+{
+    if (b->lanes == 8)
+        footpoint_detail_narrow_of(b, 8);
+    else
+        footpoint_detail_narrow_of(b, FOOTPOINT_LANES);
 }
 #endif
 
@@ -3099,12 +3189,13 @@ typedef union {
     double v[footpoint_detail_gregory_lanes_count][3];
 } footpoint_detail_gregory_lanes_one;
 
-FOOTPOINT_APART void footpoint_detail_gregory_lanes_shapes(const footpoint_detail_block *FOOTPOINT_RESTRICT b,
-                                                           footpoint_detail_gregory_lanes_lanes *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void
+footpoint_detail_gregory_lanes_shapes_of(const footpoint_detail_block *FOOTPOINT_RESTRICT b,
+                                         footpoint_detail_gregory_lanes_lanes *FOOTPOINT_RESTRICT t, int lanes)
 {
     int l, k, i;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_gregory_lanes_one one;
         footpoint_detail_lane_net_bent bent[4];
         double n[4][3];
@@ -3130,6 +3221,15 @@ FOOTPOINT_APART void footpoint_detail_gregory_lanes_shapes(const footpoint_detai
     }
 }
 
+FOOTPOINT_APART void footpoint_detail_gregory_lanes_shapes(const footpoint_detail_block *FOOTPOINT_RESTRICT b,
+                                                           footpoint_detail_gregory_lanes_lanes *FOOTPOINT_RESTRICT t)
+{
+    if (b->lanes == 8)
+        footpoint_detail_gregory_lanes_shapes_of(b, t, 8);
+    else
+        footpoint_detail_gregory_lanes_shapes_of(b, t, FOOTPOINT_LANES);
+}
+
 /* Copies the patch of a lane, with xS of another. */
 FOOTPOINT_PART void footpoint_detail_gregory_lanes_take(const footpoint_detail_block *b,
                                                         const footpoint_detail_gregory_lanes_lanes *t,
@@ -3147,13 +3247,13 @@ FOOTPOINT_PART void footpoint_detail_gregory_lanes_take(const footpoint_detail_b
         one->of.net.d[i] = b->d[i][l];
 }
 
-FOOTPOINT_APART void
-footpoint_detail_gregory_lanes_bares(footpoint_detail_block *FOOTPOINT_RESTRICT b,
-                                     const footpoint_detail_gregory_lanes_lanes *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void
+footpoint_detail_gregory_lanes_bares_of(footpoint_detail_block *FOOTPOINT_RESTRICT b,
+                                        const footpoint_detail_gregory_lanes_lanes *FOOTPOINT_RESTRICT t, int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_gregory_lanes_one one;
         footpoint_detail_gregory_lanes_take(b, t, l, &one);
         footpoint_detail_gregory_lanes_bare(&one.of, &b->p[l], &b->q[l]);
@@ -3161,13 +3261,23 @@ footpoint_detail_gregory_lanes_bares(footpoint_detail_block *FOOTPOINT_RESTRICT 
 }
 
 FOOTPOINT_APART void
-footpoint_detail_gregory_lanes_proofs(footpoint_detail_block *FOOTPOINT_RESTRICT b,
-                                      const footpoint_detail_gregory_lanes_lanes *FOOTPOINT_RESTRICT t,
-                                      double promise)
+footpoint_detail_gregory_lanes_bares(footpoint_detail_block *FOOTPOINT_RESTRICT b,
+                                     const footpoint_detail_gregory_lanes_lanes *FOOTPOINT_RESTRICT t)
+{
+    if (b->lanes == 8)
+        footpoint_detail_gregory_lanes_bares_of(b, t, 8);
+    else
+        footpoint_detail_gregory_lanes_bares_of(b, t, FOOTPOINT_LANES);
+}
+
+FOOTPOINT_PART void
+footpoint_detail_gregory_lanes_proofs_of(footpoint_detail_block *FOOTPOINT_RESTRICT b,
+                                         const footpoint_detail_gregory_lanes_lanes *FOOTPOINT_RESTRICT t,
+                                         double promise, int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         const double p = b->p[l], q = b->q[l], size = b->size[l];
         footpoint_detail_gregory_lanes_one one;
         footpoint_detail_local r;
@@ -3185,24 +3295,38 @@ footpoint_detail_gregory_lanes_proofs(footpoint_detail_block *FOOTPOINT_RESTRICT
     }
 }
 
+FOOTPOINT_APART void
+footpoint_detail_gregory_lanes_proofs(footpoint_detail_block *FOOTPOINT_RESTRICT b,
+                                      const footpoint_detail_gregory_lanes_lanes *FOOTPOINT_RESTRICT t,
+                                      double promise)
+{
+    if (b->lanes == 8)
+        footpoint_detail_gregory_lanes_proofs_of(b, t, promise, 8);
+    else
+        footpoint_detail_gregory_lanes_proofs_of(b, t, promise, FOOTPOINT_LANES);
+}
+
 /* Computes the start of a search. */
 typedef void footpoint_detail_gregory_lanes_begin(footpoint_detail_block *b);
 
-/* Loads columns of pairs, or of slave nodes, from `first` on; repeats the last to fill the block. */
+/* Loads columns of `count` pairs, or slave nodes, from `first` on; repeats the last to fill the block. */
 FOOTPOINT_PART void footpoint_detail_gregory_lanes_load(footpoint_detail_block *b, const double *const *column,
                                                         int begin,
-                                                        size_t first, size_t n)
+                                                        size_t first, int count)
 {
     int k, l;
     for (k = begin; k < 27; k++) {
         double *const to = b->x[k / 3][k % 3];
         const double *const from = column[k - begin] + first;
-        if (n - first >= FOOTPOINT_LANES)
+        if (count == FOOTPOINT_LANES)
             for (l = 0; l < FOOTPOINT_LANES; l++)
                 to[l] = from[l];
-        else
-            for (l = 0; l < FOOTPOINT_LANES; l++)
-                to[l] = from[(size_t)l < n - first ? (size_t)l : n - first - 1];
+        else {
+            for (l = 0; l < count; l++)
+                to[l] = from[l];
+            for (; l < b->lanes; l++)
+                to[l] = from[count - 1];
+        }
     }
 }
 
@@ -3237,7 +3361,7 @@ FOOTPOINT_PART void footpoint_detail_gregory_lanes_resume(footpoint_detail_block
                                                           int count, const double *xi, const double *eta)
 {
     int l;
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < b->lanes; l++) {
         const int from = l < count ? l : count - 1;
         const double x = (double)(last->loc[0][l] = xi[from]), y = (double)(last->loc[1][l] = eta[from]);
         const int good =
@@ -3257,12 +3381,12 @@ FOOTPOINT_PART void footpoint_detail_gregory_lanes_settle(footpoint_detail_block
     int l;
     for (; most > 0 && 10.0 * left * left > promise; most--) {
         double longest = 0.0;
-        for (l = 0; l < FOOTPOINT_LANES; l++) {
+        for (l = 0; l < b->lanes; l++) {
             p[l] = b->p[l];
             q[l] = b->q[l];
         }
         footpoint_detail_gregory_lanes_bares(b, t);
-        for (l = 0; l < FOOTPOINT_LANES; l++)
+        for (l = 0; l < b->lanes; l++)
             longest = footpoint_detail_greater(
                 longest, footpoint_detail_greater(fabs(b->p[l] - p[l]), fabs(b->q[l] - q[l])));
         left = longest * longest * (0.3 * longest + 0.003);
@@ -3274,13 +3398,27 @@ FOOTPOINT_PART void footpoint_detail_gregory_lanes_astray(footpoint_detail_block
                                                           const footpoint_detail_gregory_lanes_last *last)
 {
     int l;
-    for (l = 0; l < FOOTPOINT_LANES; l++)
+    for (l = 0; l < b->lanes; l++)
         b->doubt[l] |= footpoint_detail_above(b->p[l] - (double)last->loc[0][l], 1.0) |
                        footpoint_detail_above(b->q[l] - (double)last->loc[1][l], 1.0);
 }
 
+/* Searches a pair as NAME does; if `tried` is 1, only after its first attempt. */
+FOOTPOINT_PART int footpoint_detail_gregory_lanes_alone(footpoint_detail_search *search, int tried,
+                                                        const double *const *row, double promise,
+                                                        double loc[2], double *gap)
+{
+    double xi, eta, g;
+    if (tried || search(row, 2, 0.0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_gregory_answer(search, row, 4, promise, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
 /* Searches unproved pairs one by one, from the last answers unless `last` is NULL. */
-FOOTPOINT_COLD void footpoint_detail_gregory_lanes_mend(footpoint_detail_search *search,
+FOOTPOINT_COLD void footpoint_detail_gregory_lanes_mend(footpoint_detail_search *search, int tried,
                                                         const footpoint_detail_block *b,
                                                         const footpoint_detail_gregory_lanes_last *last, int count,
                                                         double promise, double *xi, double *eta, double *gap,
@@ -3295,15 +3433,40 @@ FOOTPOINT_COLD void footpoint_detail_gregory_lanes_mend(footpoint_detail_search 
                 x[k / 3][k % 3] = b->x[k / 3][k % 3][l];
             for (k = 0; last && k < 2; k++)
                 loc[k] = last->loc[k][l];
-            status[l] = last ? footpoint_detail_gregory_further(search, row, promise, loc, &gap[l])
-                             : footpoint_detail_gregory_answer(search, row, 4, promise, loc, &gap[l]);
+            status[l] =
+                last ? footpoint_detail_gregory_further(search, row, promise, loc, &gap[l])
+                     : footpoint_detail_gregory_lanes_alone(search, tried, row, promise, loc, &gap[l]);
             xi[l] = loc[0];
             eta[l] = loc[1];
         }
 }
 
+/* Searches side by side, from the start of a search or, if `begin` is NULL, from the last answers. `shared` is 1 if t
+ * has the patch. */
+FOOTPOINT_PART void footpoint_detail_gregory_lanes_search(footpoint_detail_gregory_lanes_begin *begin, int bare,
+                                                          int shared, footpoint_detail_block *b,
+                                                          footpoint_detail_gregory_lanes_lanes *t,
+                                                          const footpoint_detail_gregory_lanes_last *last,
+                                                          double promise)
+{
+    int k;
+    footpoint_detail_narrow(b);
+    if (!shared)
+        footpoint_detail_gregory_lanes_shapes(b, t);
+    if (begin) {
+        begin(b);
+        for (k = 0; k < bare; k++)
+            footpoint_detail_gregory_lanes_bares(b, t);
+    } else
+        footpoint_detail_gregory_lanes_settle(b, t, bare, (double)promise);
+    footpoint_detail_gregory_lanes_proofs(b, t, (double)promise);
+    if (!begin)
+        footpoint_detail_gregory_lanes_astray(b, last);
+}
+
 /* Searches n pairs or, unless `segment` is NULL, n slave nodes over one segment; `column` holds their coordinates. It
- * starts with `begin` or, if that is NULL, from the last answers in xi and eta, with at most `bare` steps. */
+ * starts with `begin` or, if that is NULL, from the last answers in xi and eta, with at most `bare` steps. A few pairs are
+ * quicker one by one. */
 FOOTPOINT_APART void footpoint_detail_gregory_lanes_run(footpoint_detail_gregory_lanes_begin *begin, int bare,
                                                         footpoint_detail_search *search,
                                                         const double *const *segment,
@@ -3311,35 +3474,31 @@ FOOTPOINT_APART void footpoint_detail_gregory_lanes_run(footpoint_detail_gregory
                                                         double promise, double *xi, double *eta, double *gap,
                                                         int *status)
 {
+    const int few = begin ? 4 : 1;
     footpoint_detail_block b;
     footpoint_detail_gregory_lanes_lanes t;
     footpoint_detail_gregory_lanes_last last;
     size_t i;
-    int l, k;
+    int count, l, k;
     for (k = 0; segment && k < 24; k++)
         for (l = 0; l < FOOTPOINT_LANES; l++)
             b.x[k / 3][k % 3][l] = segment[k / 3][k % 3];
-    for (i = 0; i < n; i += FOOTPOINT_LANES) {
-        const int count = n - i < FOOTPOINT_LANES ? (int)(n - i) : FOOTPOINT_LANES;
-        footpoint_detail_gregory_lanes_load(&b, column, segment ? 24 : 0, i, n);
-        footpoint_detail_narrow(&b);
-        if (i == 0 || !segment)
-            footpoint_detail_gregory_lanes_shapes(&b, &t);
-        if (begin) {
-            begin(&b);
-            for (k = 0; k < bare; k++)
-                footpoint_detail_gregory_lanes_bares(&b, &t);
-        } else {
-            footpoint_detail_gregory_lanes_resume(&b, &last, count, xi + i, eta + i);
-            footpoint_detail_gregory_lanes_settle(&b, &t, bare, (double)promise);
-        }
-        footpoint_detail_gregory_lanes_proofs(&b, &t, (double)promise);
+    for (i = 0; i < n; i += (size_t)count) {
+        unsigned long long doubt = (unsigned long long)1 << 63;
+        b.lanes = n - i > 8 ? FOOTPOINT_LANES : 8;
+        count = n - i < (size_t)b.lanes ? (int)(n - i) : b.lanes;
+        footpoint_detail_gregory_lanes_load(&b, column, segment ? 24 : 0, i, count);
         if (!begin)
-            footpoint_detail_gregory_lanes_astray(&b, &last);
-        if (footpoint_detail_gregory_lanes_store(&b, count, xi + i, eta + i, gap + i, status + i) >>
-            63)
-            footpoint_detail_gregory_lanes_mend(search, &b, begin ? NULL : &last, count, promise, xi + i,
-                                                eta + i, gap + i, status + i);
+            footpoint_detail_gregory_lanes_resume(&b, &last, count, xi + i, eta + i);
+        if (count >= few) {
+            footpoint_detail_gregory_lanes_search(begin, bare, segment && i > 0, &b, &t, &last, promise);
+            doubt = footpoint_detail_gregory_lanes_store(&b, count, xi + i, eta + i, gap + i, status + i);
+        } else
+            for (l = 0; l < count; l++)
+                b.doubt[l] = doubt;
+        if (doubt >> 63)
+            footpoint_detail_gregory_lanes_mend(search, count >= few, &b, begin ? NULL : &last, count,
+                                                promise, xi + i, eta + i, gap + i, status + i);
     }
 }
 #endif
@@ -4898,8 +5057,8 @@ FOOTPOINT_PART int footpoint_detail_gregory_proved_closest_of(footpoint_detail_n
  * NAME_n:   calls NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, nA, nB, nC, nD, xS;
  *           xi and eta must overlap nothing else.
  * NAME_checked_n:  calls NAME for n pairs, each with its status; if that is < 0, xi, eta and gap are meaningless.
- * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
- *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
+ * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  nodes are its vectors,
+ *           x the three columns of the slave nodes. */
 
 /* NAME, NAME_checked_n and NAME_over_n return FOOTPOINT_OK only if a minimum of the distance to the patch, or to the
  * surface that its polynomials make just beyond an edge, is proved to lie within the macro NAME_PROMISE of (xi,eta).
@@ -4909,7 +5068,7 @@ FOOTPOINT_PART int footpoint_detail_gregory_proved_closest_of(footpoint_detail_n
  * -ffast-math nothing is proved. The banner of each function states the share of samples for which OK or OUTSIDE is
  * proved. NAME_at and NAME_n prove nothing.
  *
- * NAME_checked_n and NAME_over_n search 16 pairs side by side, and repeat those without proof by NAME. Their answers
+ * NAME_checked_n and NAME_over_n search pairs side by side, and repeat those without proof by NAME. Their answers
  * differ from NAME's within the promises. For promises of 1e-3 and more they compute in single precision, with gaps
  * within 1e-6 of the longest edge. */
 
@@ -5024,12 +5183,13 @@ FOOTPOINT_PART unsigned int footpoint_paper_gregory_facet_single_detail(const fl
     return 0;
 }
 
-FOOTPOINT_APART void footpoint_paper_gregory_facet_single_begin(footpoint_detail_f_block *FOOTPOINT_RESTRICT b)
+FOOTPOINT_PART void footpoint_paper_gregory_facet_single_begin_of(footpoint_detail_f_block *FOOTPOINT_RESTRICT b,
+                                                                  int lanes)
 {
     const float zero = (float)footpoint_detail_zero();
     int l, k, i;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         float x[9][3];
         FOOTPOINT_UNROLL
         for (i = 0; i < 3; i++) {
@@ -5049,12 +5209,20 @@ FOOTPOINT_APART void footpoint_paper_gregory_facet_single_begin(footpoint_detail
     }
 }
 
-FOOTPOINT_APART void footpoint_paper_gregory_facet_begin(footpoint_detail_block *FOOTPOINT_RESTRICT b)
+FOOTPOINT_APART void footpoint_paper_gregory_facet_single_begin(footpoint_detail_f_block *FOOTPOINT_RESTRICT b)
+{
+    if (b->lanes == 8)
+        footpoint_paper_gregory_facet_single_begin_of(b, 8);
+    else
+        footpoint_paper_gregory_facet_single_begin_of(b, FOOTPOINT_LANES);
+}
+
+FOOTPOINT_PART void footpoint_paper_gregory_facet_begin_of(footpoint_detail_block *FOOTPOINT_RESTRICT b, int lanes)
 {
     const double zero = (double)footpoint_detail_zero();
     int l, k, i;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         double x[9][3];
         FOOTPOINT_UNROLL
         for (i = 0; i < 3; i++) {
@@ -5072,6 +5240,14 @@ FOOTPOINT_APART void footpoint_paper_gregory_facet_begin(footpoint_detail_block 
         }
         (void)footpoint_paper_gregory_facet_detail(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], zero, &b->p[l], &b->q[l]);
     }
+}
+
+FOOTPOINT_APART void footpoint_paper_gregory_facet_begin(footpoint_detail_block *FOOTPOINT_RESTRICT b)
+{
+    if (b->lanes == 8)
+        footpoint_paper_gregory_facet_begin_of(b, 8);
+    else
+        footpoint_paper_gregory_facet_begin_of(b, FOOTPOINT_LANES);
 }
 
 FOOTPOINT_PART unsigned long long footpoint_paper_gregory_smooth_detail(const double xA[3], const double xB[3],

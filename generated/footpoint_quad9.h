@@ -871,10 +871,9 @@ FOOTPOINT_COLD int footpoint_detail_quad9_answer(footpoint_detail_search *search
 
 #ifndef FOOTPOINT_QUAD9_FROM
 #define FOOTPOINT_QUAD9_FROM
-/* Moves from (*xi,*eta) to the foot point and computes the gap there, by a Newton step and up to `stages` tested steps,
- * 1 in a loop over arrays. The highest bit of the result is not set if a minimum of the distance is proved to lie
- * within promise of the answer, see footpoint_detail_quad9_step(), and the answer is at most half of the face from the
- * start. */
+/* Moves from (*xi,*eta) to the foot point and computes the gap there, by a Newton step and up to `stages` tested steps.
+ * The highest bit of the result is not set if a minimum of the distance is proved to lie within promise of the answer,
+ * see footpoint_detail_quad9_step(), and the answer is at most half of the face from the start. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad9_from(const double *const *x, double promise, double least,
                                                               int stages, double *xi, double *eta, double *gap)
 {
@@ -884,9 +883,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad9_from(const double *cons
     unsigned long long doubt;
     footpoint_detail_quad9_expand(x, &of);
     footpoint_detail_quad9_bare(&of, &p, &q);
-    if (stages == 1 && promise < 1e-6)
-        footpoint_detail_quad9_bare(&of, &p, &q);
-    if (stages > 1 && footpoint_detail_infinite(p + q) >> 63) {
+    if (footpoint_detail_infinite(p + q) >> 63) {
         *xi = *eta = *gap = p + q;
         return (unsigned long long)1 << 63; /* compilers' maxima of NaN raise exceptions */
     }
@@ -929,101 +926,6 @@ FOOTPOINT_PART int footpoint_detail_quad9_further(footpoint_detail_quad9_name *n
     }
     return name(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], loc, gap);
 }
-
-/* Follows an element of arrays of last answers, which a loop has moved to (u,v). It is seldom called, and so not
- * inlined. */
-FOOTPOINT_COLD void footpoint_detail_quad9_follow_one(footpoint_detail_quad9_name *name,
-                                                      const double *const *x, double promise, double least,
-                                                      double u, double v, double *xi, double *eta, double *gap,
-                                                      int *status)
-{
-    double loc[2];
-    loc[0] = *xi;
-    loc[1] = *eta;
-    *status = footpoint_detail_quad9_further(name, x, promise, least, u, v, loc, gap);
-    *xi = loc[0];
-    *eta = loc[1];
-}
-
-/* Follows arrays in parts, each in a loop that is repeated if many answers are not proved. */
-enum { footpoint_detail_quad9_span = 64, footpoint_detail_quad9_few = 8 };
-
-/* Copies the vectors of pair i from the columns x. With `over`, x has the slave nodes' columns and c is the segment. */
-FOOTPOINT_PART void footpoint_detail_quad9_pair(double (*c)[3], int over, const double *const *x,
-                                                size_t i, double p[10][3])
-{
-    int k, j;
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 10; k++) {
-        FOOTPOINT_UNROLL
-        for (j = 0; j < 3; j++)
-            p[k][j] = !over ? x[3 * k + j][i] : k < 9 ? c[k][j] : x[j][i];
-    }
-}
-
-/* Searches n pairs or, with `over`, n slave nodes over a segment, which is copied so that no result can change it. */
-FOOTPOINT_PART void
-footpoint_detail_quad9_from_n(footpoint_detail_quad9_name *name, int over, const double *const *segment,
-                              size_t n, const double *const *x, double promise, double least,
-                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    double c[9][3], u[footpoint_detail_quad9_span], v[footpoint_detail_quad9_span];
-    size_t first, i;
-    int j, k;
-    for (k = 0; k < 9; k++)
-        for (j = 0; j < 3; j++)
-            c[k][j] = over ? segment[k][j] : 0.0;
-    for (first = 0; first < n; first += footpoint_detail_quad9_span) {
-        const size_t m = n - first < (size_t)footpoint_detail_quad9_span
-                             ? n - first
-                             : (size_t)footpoint_detail_quad9_span;
-        int open = 0;
-        FOOTPOINT_EACH
-        for (i = first; i < first + m; i++) {
-            double p[10][3], a = xi[i], b = eta[i], g;
-            const double *const row[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
-            int doubt;
-            footpoint_detail_quad9_pair(c, over, x, i, p);
-            doubt =
-                (int)(footpoint_detail_quad9_from(row, promise, least, 1, &a, &b, &g) >> 63);
-            u[i - first] = a;
-            v[i - first] = b;
-            gap[i] = g;
-            status[i] = FOOTPOINT_UNPROVED * doubt;
-            open += doubt;
-        }
-        if (open > footpoint_detail_quad9_few) {
-            FOOTPOINT_EACH
-            for (i = first; i < first + m; i++) {
-                double p[10][3], a = u[i - first], b = v[i - first], g;
-                const double *const row[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
-                const double last[2] = {xi[i], eta[i]};
-                const int good = status[i] == FOOTPOINT_OK;
-                unsigned long long doubt;
-                footpoint_detail_quad9_pair(c, over, x, i, p);
-                doubt = footpoint_detail_quad9_from(row, promise, least, 1, &a, &b, &g) |
-                        footpoint_detail_quad9_strayed(last, a, b);
-                u[i - first] = good ? u[i - first] : a;
-                v[i - first] = good ? v[i - first] : b;
-                gap[i] = good ? gap[i] : g;
-                status[i] = good ? FOOTPOINT_OK : FOOTPOINT_UNPROVED * (int)(doubt >> 63);
-            }
-        }
-        for (i = first; i < first + m; i++)
-            if (status[i] == FOOTPOINT_OK) {
-                xi[i] = u[i - first];
-                eta[i] = v[i - first];
-            } else {
-                double p[10][3];
-                const double *const row[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
-                footpoint_detail_quad9_pair(c, over, x, i, p);
-                footpoint_detail_quad9_follow_one(name, row, promise, least, u[i - first],
-                                                  v[i - first], &xi[i], &eta[i], &gap[i],
-                                                  &status[i]);
-            }
-    }
-}
 #endif
 
 #ifndef FOOTPOINT_QUAD9_ARRAYS
@@ -1062,40 +964,6 @@ FOOTPOINT_PART void footpoint_detail_quad9_full(footpoint_detail_search *search,
     *status = footpoint_detail_quad9_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
-}
-
-/* Searches slave nodes x over a segment, copied to c, which no result can change, so that its own values are computed once. */
-FOOTPOINT_PART void
-footpoint_detail_quad9_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                              const double *const *x, int nodes, double promise,
-                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    const double zero = footpoint_detail_zero();
-    double c[9][3];
-    size_t i;
-    int j, k;
-    for (k = 0; k < 9; k++)
-        for (j = 0; j < 3; j++)
-            c[k][j] = segment[k][j];
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double s[3] = {x[0][i], x[1][i], x[2][i]};
-        const double *const row[10] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], s};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, zero, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    for (i = 0; i < n; i++)
-        if (status[i] != FOOTPOINT_OK) {
-            const double s[3] = {x[0][i], x[1][i], x[2][i]};
-            const double *const row[10] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], s};
-            footpoint_detail_quad9_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
-                                        &status[i]);
-        } else
-            status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
 }
 #endif
 
@@ -1427,7 +1295,7 @@ FOOTPOINT_PART double footpoint_detail_quad9_side_root(double x)
 
 #ifndef FOOTPOINT_QUAD9_CURVED_BLOCK
 #define FOOTPOINT_QUAD9_CURVED_BLOCK
-enum { footpoint_detail_quad9_side = 32 }; /* pairs at a time */
+enum { footpoint_detail_quad9_side = 32 }; /* pairs at a time, or 8 */
 
 /* The terms of a face, one by one; the last is `size`. */
 typedef union {
@@ -1441,13 +1309,14 @@ enum {
 
 /* Holds values of pairs. `term` has the vectors of faces; `narrow` has them rounded, in a unit of length, a power of
  * 2, in which the absolute values of the coordinates of e and f add up to 1 to 4; `square` changes products of
- * lengths to that unit. Steps in single precision end at (p,q), from the middle; the answer is (xi,eta). Slopes f and
+ * lengths to that unit. Steps in single precision end at (p,q), from the middle; the answer is (xi,eta), the
+ * last one `last`. Slopes f and
  * g, and a11 to `flat`, prove it: see footpoint_detail_f_quad9_side_prove. A pair is not proved if the highest bit of
  * `doubt` or `wide` is set. */
 typedef struct {
     double x[30][footpoint_detail_quad9_side];
     double term[footpoint_detail_quad9_side_vectors][3][footpoint_detail_quad9_side], square[footpoint_detail_quad9_side];
-    double xi[footpoint_detail_quad9_side], eta[footpoint_detail_quad9_side];
+    double xi[footpoint_detail_quad9_side], eta[footpoint_detail_quad9_side], last[2][footpoint_detail_quad9_side];
     double f[footpoint_detail_quad9_side], g[footpoint_detail_quad9_side];
     double gap[footpoint_detail_quad9_side];
     float narrow[footpoint_detail_quad9_side_vectors][3][footpoint_detail_quad9_side];
@@ -1456,11 +1325,13 @@ typedef struct {
     float a22[footpoint_detail_quad9_side], most[footpoint_detail_quad9_side];
     float turn[footpoint_detail_quad9_side], off[footpoint_detail_quad9_side], bend[footpoint_detail_quad9_side], flat[footpoint_detail_quad9_side];
     unsigned int range[footpoint_detail_quad9_side], doubt[footpoint_detail_quad9_side], wide[footpoint_detail_quad9_side];
+    int lanes; /* 8 or footpoint_detail_quad9_side: loops of a known length vectorise with -O2, too */
 } footpoint_detail_quad9_block;
 
 /* Computes terms from columns x. */
-FOOTPOINT_APART void footpoint_detail_quad9_side_narrow(const double *const *x,
-                                                        footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_quad9_side_narrow_of(const double *const *x,
+                                                          footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
+                                                          int lanes)
 {
     int l, i, k;
     for (i = 0; i < 3; i++) {
@@ -1468,7 +1339,7 @@ FOOTPOINT_APART void footpoint_detail_quad9_side_narrow(const double *const *x,
         for (k = 0; k < 10; k++)
             column[k] = x[3 * k + i];
         FOOTPOINT_EACH
-        for (l = 0; l < footpoint_detail_quad9_side; l++) {
+        for (l = 0; l < lanes; l++) {
             footpoint_detail_quad9_side_terms face;
             double node[10];
             FOOTPOINT_WHOLE
@@ -1482,27 +1353,45 @@ FOOTPOINT_APART void footpoint_detail_quad9_side_narrow(const double *const *x,
     }
 }
 
+FOOTPOINT_APART void footpoint_detail_quad9_side_narrow(const double *const *x,
+                                                        footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_quad9_side_narrow_of(x, t, 8);
+    else
+        footpoint_detail_quad9_side_narrow_of(x, t, footpoint_detail_quad9_side);
+}
+
 /* Puts the answer where steps in single precision have ended. */
-FOOTPOINT_APART void footpoint_detail_quad9_side_settle(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_quad9_side_settle_of(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
+                                                          int lanes)
 {
     const double middle = footpoint_detail_quad9_middle();
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+    for (l = 0; l < lanes; l++) {
         t->xi[l] = (double)t->p[l] + middle;
         t->eta[l] = (double)t->q[l] + middle;
     }
 }
 
+FOOTPOINT_APART void footpoint_detail_quad9_side_settle(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_quad9_side_settle_of(t, 8);
+    else
+        footpoint_detail_quad9_side_settle_of(t, footpoint_detail_quad9_side);
+}
+
 /* Computes the slopes f = r_xi . D and g = r_eta . D at (xi,eta), with D = xS - r, in the unit of `narrow`, and the
  * gap, if they are asked for; of pairs in doubt, which may have run away, in the middle, where nothing overflows. */
 FOOTPOINT_PART void footpoint_detail_quad9_side_place(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t, int slopes,
-                                                      int gap)
+                                                      int gap, int lanes)
 {
     const double middle = footpoint_detail_quad9_middle();
     int l, k;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_quad9_side_terms face;
         const double kept = 1.0 - (double)(int)(t->doubt[l] >> 31);
         footpoint_detail_local r;
@@ -1526,17 +1415,26 @@ FOOTPOINT_PART void footpoint_detail_quad9_side_place(footpoint_detail_quad9_blo
 
 FOOTPOINT_APART void footpoint_detail_quad9_side_slopes(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
 {
-    footpoint_detail_quad9_side_place(t, 1, 0);
+    if (t->lanes == 8)
+        footpoint_detail_quad9_side_place(t, 1, 0, 8);
+    else
+        footpoint_detail_quad9_side_place(t, 1, 0, footpoint_detail_quad9_side);
 }
 
 FOOTPOINT_APART void footpoint_detail_quad9_side_gaps(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
 {
-    footpoint_detail_quad9_side_place(t, 0, 1);
+    if (t->lanes == 8)
+        footpoint_detail_quad9_side_place(t, 0, 1, 8);
+    else
+        footpoint_detail_quad9_side_place(t, 0, 1, footpoint_detail_quad9_side);
 }
 
 FOOTPOINT_APART void footpoint_detail_quad9_side_slopes_and_gaps(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
 {
-    footpoint_detail_quad9_side_place(t, 1, 1);
+    if (t->lanes == 8)
+        footpoint_detail_quad9_side_place(t, 1, 1, 8);
+    else
+        footpoint_detail_quad9_side_place(t, 1, 1, footpoint_detail_quad9_side);
 }
 #endif
 
@@ -1574,13 +1472,22 @@ FOOTPOINT_PART void footpoint_detail_f_quad9_side_correct(footpoint_detail_quad9
     t->wide[l] = footpoint_detail_f_bits(room) | footpoint_detail_f_infinite(room);
 }
 
-FOOTPOINT_APART void footpoint_detail_f_quad9_side_corrections(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
-                                                               float promise)
+FOOTPOINT_PART void footpoint_detail_f_quad9_side_corrections_of(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
+                                                                 float promise, int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad9_side; l++)
+    for (l = 0; l < lanes; l++)
         footpoint_detail_f_quad9_side_correct(t, l, (float)t->f[l], (float)t->g[l], promise);
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad9_side_corrections(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
+                                                               float promise)
+{
+    if (t->lanes == 8)
+        footpoint_detail_f_quad9_side_corrections_of(t, promise, 8);
+    else
+        footpoint_detail_f_quad9_side_corrections_of(t, promise, footpoint_detail_quad9_side);
 }
 #endif
 
@@ -1593,12 +1500,13 @@ typedef union {
 } footpoint_detail_f_quad9_side_rounded;
 
 /* Rounds terms in the unit of length, 0 if that is NaN. Sets `range` if the unit is out of range. */
-FOOTPOINT_APART void footpoint_detail_f_quad9_side_round(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_f_quad9_side_round_of(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
+                                                           int lanes)
 {
     enum { TERMS = sizeof t->narrow / sizeof *t->narrow[0] };
     int l, k;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+    for (l = 0; l < lanes; l++) {
         float length = 0.0f;
         union {
             unsigned int bits;
@@ -1615,6 +1523,14 @@ FOOTPOINT_APART void footpoint_detail_f_quad9_side_round(footpoint_detail_quad9_
         t->range[l] = footpoint_detail_f_bits(length - 1e-25f) | footpoint_detail_f_bits(1e30f - length) |
                       footpoint_detail_f_fast();
     }
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad9_side_round(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_f_quad9_side_round_of(t, 8);
+    else
+        footpoint_detail_f_quad9_side_round_of(t, footpoint_detail_quad9_side);
 }
 
 FOOTPOINT_PART void footpoint_detail_f_quad9_side_load(const footpoint_detail_quad9_block *t, int l,
@@ -1643,11 +1559,12 @@ FOOTPOINT_PART float footpoint_detail_f_quad9_side_kept(float p)
     return at.number;
 }
 
-FOOTPOINT_APART void footpoint_detail_f_quad9_side_begin(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_f_quad9_side_begin_of(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
+                                                           int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_f_quad9_side_rounded face;
         float p, q;
         footpoint_detail_f_quad9_side_load(t, l, &face);
@@ -1657,11 +1574,20 @@ FOOTPOINT_APART void footpoint_detail_f_quad9_side_begin(footpoint_detail_quad9_
     }
 }
 
-FOOTPOINT_APART void footpoint_detail_f_quad9_side_newton(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+FOOTPOINT_APART void footpoint_detail_f_quad9_side_begin(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_f_quad9_side_begin_of(t, 8);
+    else
+        footpoint_detail_f_quad9_side_begin_of(t, footpoint_detail_quad9_side);
+}
+
+FOOTPOINT_PART void footpoint_detail_f_quad9_side_newton_of(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
+                                                            int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_f_quad9_side_rounded face;
         float p = t->p[l], q = t->q[l];
         footpoint_detail_f_quad9_side_load(t, l, &face);
@@ -1669,6 +1595,14 @@ FOOTPOINT_APART void footpoint_detail_f_quad9_side_newton(footpoint_detail_quad9
         t->p[l] = footpoint_detail_f_quad9_side_kept(p);
         t->q[l] = footpoint_detail_f_quad9_side_kept(q);
     }
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad9_side_newton(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_f_quad9_side_newton_of(t, 8);
+    else
+        footpoint_detail_f_quad9_side_newton_of(t, footpoint_detail_quad9_side);
 }
 
 /* Takes a Newton step from (p,q), and computes there the values that prove corrections.
@@ -1703,12 +1637,13 @@ FOOTPOINT_APART void footpoint_detail_f_quad9_side_newton(footpoint_detail_quad9
  * A step turns the normal u x v by at most (r_1 a_2 + r_2 a_1) step, rounding by less than a quarter of tiny (r_1 +
  * r_2). `flat` ensures that each of three steps does so by less than a third of its length, whose square is off by
  * 8 u |u|^2 |v|^2, less than a twentieth of 1e-5f |u|^2 |v|^2. So no tangents of an answer are parallel. */
-FOOTPOINT_APART void footpoint_detail_f_quad9_side_prove(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_f_quad9_side_prove_of(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
+                                                           int lanes)
 {
     const float unit = 6e-8f, ball = 0.25f;
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad9_side; l++) {
+    for (l = 0; l < lanes; l++) {
         const float p = t->p[l], q = t->q[l], x = fabsf(p) + 0.13f, y = fabsf(q) + 0.13f;
         footpoint_detail_f_quad9_side_rounded face;
         footpoint_detail_f_local r;
@@ -1775,17 +1710,103 @@ FOOTPOINT_APART void footpoint_detail_f_quad9_side_prove(footpoint_detail_quad9_
                       t->range[l];
     }
 }
+
+FOOTPOINT_APART void footpoint_detail_f_quad9_side_prove(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_f_quad9_side_prove_of(t, 8);
+    else
+        footpoint_detail_f_quad9_side_prove_of(t, footpoint_detail_quad9_side);
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD9_SIDE_LAST
+#define FOOTPOINT_QUAD9_SIDE_LAST
+/* Returns a coordinate, or 31, too far for a proof, if it is larger or NaN. */
+FOOTPOINT_PART double footpoint_detail_quad9_side_near(double p)
+{
+    const unsigned long long far = 0 - (footpoint_detail_above(p, 31.0) >> 63);
+    union {
+        double number;
+        unsigned long long bits;
+    } at, most;
+    at.number = p;
+    most.number = 31.0;
+    at.bits = (at.bits & ~far) | (most.bits & far);
+    return at.number;
+}
+
+/* Copies last answers into a block; repeats the last of `count` to fill it. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_keep(footpoint_detail_quad9_block *t, int count, const double *xi,
+                                                     const double *eta)
+{
+    int l;
+    for (l = 0; l < count; l++) {
+        t->xi[l] = t->last[0][l] = xi[l];
+        t->eta[l] = t->last[1][l] = eta[l];
+    }
+    for (; l < t->lanes; l++) {
+        t->last[0][l] = xi[count - 1];
+        t->last[1][l] = eta[count - 1];
+    }
+}
+
+/* Begins at the last answers. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_resume_of(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
+                                                          int lanes)
+{
+    const double middle = footpoint_detail_quad9_middle();
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < lanes; l++) {
+        t->p[l] = (float)footpoint_detail_quad9_side_near(t->last[0][l] - middle);
+        t->q[l] = (float)footpoint_detail_quad9_side_near(t->last[1][l] - middle);
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_quad9_side_resume(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_quad9_side_resume_of(t, 8);
+    else
+        footpoint_detail_quad9_side_resume_of(t, footpoint_detail_quad9_side);
+}
+
+/* Leaves answers unproved that are more than half of the face away from the last ones. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_astray_of(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
+                                                          int lanes)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < lanes; l++)
+        t->wide[l] |= (unsigned int)((footpoint_detail_above(t->xi[l] - t->last[0][l], 1.0) |
+                                      footpoint_detail_above(t->eta[l] - t->last[1][l], 1.0)) >>
+                                  63)
+                      << 31;
+}
+
+FOOTPOINT_APART void footpoint_detail_quad9_side_astray(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_quad9_side_astray_of(t, 8);
+    else
+        footpoint_detail_quad9_side_astray_of(t, footpoint_detail_quad9_side);
+}
 #endif
 
 #ifndef FOOTPOINT_QUAD9_CURVED_PASS
 #define FOOTPOINT_QUAD9_CURVED_PASS
-/* Takes as many steps as the promise needs, or `more` from their end, and proves the last. Gaps precede the last
- * correction, which changes them by its square. */
-FOOTPOINT_PART void footpoint_detail_quad9_side_steps(footpoint_detail_quad9_block *t, double promise, int more)
+/* Takes as many steps as the promise needs, `from` the last answers if it is 1, or `more` from their end, and proves the
+ * last. Gaps precede the last correction, which changes them by its square. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_steps(footpoint_detail_quad9_block *t, double promise, int from,
+                                                      int more)
 {
     if (!more) {
         footpoint_detail_f_quad9_side_round(t);
-        footpoint_detail_f_quad9_side_begin(t);
+        if (from)
+            footpoint_detail_quad9_side_resume(t);
+        else
+            footpoint_detail_f_quad9_side_begin(t);
     }
     footpoint_detail_f_quad9_side_newton(t);
     if (more || promise < 0.99e-2)
@@ -1803,14 +1824,28 @@ FOOTPOINT_PART void footpoint_detail_quad9_side_steps(footpoint_detail_quad9_blo
 
 #ifndef FOOTPOINT_QUAD9_SIDE_RUN
 #define FOOTPOINT_QUAD9_SIDE_RUN
-/* Copies columns into a block that is not full, and repeats the last pair to fill it. */
-FOOTPOINT_COLD void footpoint_detail_quad9_side_fill(footpoint_detail_quad9_block *t, const double **x, int count)
+/* Copies columns into a block from the first on, and repeats the last of `count` pairs to fill it. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_fill(footpoint_detail_quad9_block *t, int first, const double **x,
+                                                     int count)
 {
     int k, l;
-    for (k = 0; k < 30; k++) {
-        for (l = 0; l < footpoint_detail_quad9_side; l++)
-            t->x[k][l] = x[k][l < count ? l : count - 1];
+    for (k = first; k < 30; k++) {
+        for (l = 0; l < count; l++)
+            t->x[k][l] = x[k][l];
+        for (; l < t->lanes; l++)
+            t->x[k][l] = x[k][count - 1];
         x[k] = t->x[k];
+    }
+}
+
+/* Copies a segment's nodes into columns of a block. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_share(const double *const *segment, footpoint_detail_quad9_block *t)
+{
+    int k, l;
+    for (k = 0; k < 30 - 3; k++) {
+        const double shared = segment[k / 3][k % 3];
+        for (l = 0; l < t->lanes; l++)
+            t->x[k][l] = shared;
     }
 }
 
@@ -1845,13 +1880,33 @@ FOOTPOINT_PART int footpoint_detail_quad9_side_fails(const footpoint_detail_quad
     return (t->doubt[l] | t->wide[l]) >> 31 || footpoint_detail_infinite(t->gap[l]) >> 63;
 }
 
+/* What to search: `search` from scratch or, unless `name` is NULL, from the last answers, which are in xi and eta, and with
+ * NAME; slave nodes over `segment` or, if that is NULL, pairs. */
+typedef struct {
+    footpoint_detail_search *search;
+    footpoint_detail_quad9_name *name;
+    const double *const *segment;
+    double promise, least;
+    int nodes;
+} footpoint_detail_quad9_side_call;
+
+/* Takes steps and proves the last, near the last answers if these begin the search. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_search(const footpoint_detail_quad9_side_call *call,
+                                                       footpoint_detail_quad9_block *t, int more)
+{
+    footpoint_detail_quad9_side_steps(t, call->promise, call->name != NULL, more);
+    if (call->name)
+        footpoint_detail_quad9_side_astray(t);
+}
+
 /* Takes more steps. Stores answers of `failed` pairs that these prove, which then no longer count as failed. */
-FOOTPOINT_COLD void footpoint_detail_quad9_side_again(footpoint_detail_quad9_block *t, double promise, int *failed,
-                                                      int count, double *xi, double *eta,
-                                                      double *gap)
+FOOTPOINT_COLD void footpoint_detail_quad9_side_again(const footpoint_detail_quad9_side_call *call,
+                                                      footpoint_detail_quad9_block *t, int *failed, int count,
+                                                      double *xi,
+                                                      double *eta, double *gap)
 {
     int l;
-    footpoint_detail_quad9_side_steps(t, promise, 1);
+    footpoint_detail_quad9_side_search(call, t, 1);
     for (l = 0; l < count; l++)
         if (failed[l] && !footpoint_detail_quad9_side_fails(t, l)) {
             xi[l] = t->xi[l];
@@ -1861,10 +1916,27 @@ FOOTPOINT_COLD void footpoint_detail_quad9_side_again(footpoint_detail_quad9_blo
         }
 }
 
-/* Searches `failed` pairs one by one. */
-FOOTPOINT_COLD void footpoint_detail_quad9_side_mend(footpoint_detail_search *search, int nodes,
-                                                     const int *failed, const double *const *x,
-                                                     int count, double promise, double *xi,
+/* Searches one pair from scratch. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_one(footpoint_detail_search *search, int nodes,
+                                                    const double *const *row, double promise,
+                                                    double *xi, double *eta, double *gap,
+                                                    int *status)
+{
+    double u, v, g;
+    if (search(row, 2, 0.0, &u, &v, &g) >> 63)
+        footpoint_detail_quad9_full(search, row, nodes, promise, xi, eta, gap, status);
+    else {
+        *xi = u;
+        *eta = v;
+        *gap = g;
+        *status = FOOTPOINT_OK;
+    }
+}
+
+/* Searches `failed` pairs one by one, from where steps have ended if there are last answers. */
+FOOTPOINT_COLD void footpoint_detail_quad9_side_mend(const footpoint_detail_quad9_side_call *call,
+                                                     const footpoint_detail_quad9_block *t, const int *failed,
+                                                     const double *const *x, int count, double *xi,
                                                      double *eta, double *gap, int *status)
 {
     int i;
@@ -1875,64 +1947,91 @@ FOOTPOINT_COLD void footpoint_detail_quad9_side_mend(footpoint_detail_search *se
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]},
             {x[27][i], x[28][i], x[29][i]}};
             const double *const row[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
-            double u, v, g;
-            if (search(row, 2, 0.0, &u, &v, &g) >> 63)
-                footpoint_detail_quad9_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
-                                            &status[i]);
-            else {
-                xi[i] = u;
-                eta[i] = v;
-                gap[i] = g;
-                status[i] = FOOTPOINT_OK;
-            }
+            if (call->name) {
+                double loc[2];
+                loc[0] = t->last[0][i];
+                loc[1] = t->last[1][i];
+                status[i] = footpoint_detail_quad9_further(
+                    call->name, row, call->promise, call->least, t->xi[i], t->eta[i], loc, &gap[i]);
+                xi[i] = loc[0];
+                eta[i] = loc[1];
+            } else
+                footpoint_detail_quad9_side_one(call->search, call->nodes, row, call->promise,
+                                                &xi[i], &eta[i], &gap[i], &status[i]);
         }
 }
 
 /* Repairs unproved answers. If many failed, it first takes more steps, unless rounding forbids most proofs. */
-FOOTPOINT_COLD void footpoint_detail_quad9_side_repair(footpoint_detail_search *search, int nodes,
+FOOTPOINT_COLD void footpoint_detail_quad9_side_repair(const footpoint_detail_quad9_side_call *call,
                                                        footpoint_detail_quad9_block *t, int unproved,
-                                                       const double *const *x, int count,
-                                                       double promise, double *xi, double *eta,
-                                                       double *gap, int *status)
+                                                       const double *const *x, int count, double *xi,
+                                                       double *eta, double *gap, int *status)
 {
     int failed[footpoint_detail_quad9_side], l;
     for (l = 0; l < count; l++)
         failed[l] = unproved > count || footpoint_detail_quad9_side_fails(t, l);
-    if (unproved > 3 && unproved <= count && promise > 0.99e-9)
-        footpoint_detail_quad9_side_again(t, promise, failed, count, xi, eta, gap);
-    footpoint_detail_quad9_side_mend(search, nodes, failed, x, count, promise, xi, eta, gap, status);
+    if (unproved > 3 && unproved <= count && call->promise > 0.99e-9)
+        footpoint_detail_quad9_side_again(call, t, failed, count, xi, eta, gap);
+    footpoint_detail_quad9_side_mend(call, t, failed, x, count, xi, eta, gap, status);
 }
 
-/* Searches n pairs. A few are searched one by one, which is faster. */
-FOOTPOINT_APART void footpoint_detail_quad9_side_run(footpoint_detail_search *search, int nodes,
-                                                     size_t n, const double *const *x,
-                                                     double promise, double *xi, double *eta,
-                                                     double *gap, int *status)
+/* Pairs are quicker side by side, from this number on. */
+enum { footpoint_detail_quad9_side_few = 3 };
+
+/* Searches n pairs, or slave nodes over a segment, of columns x. A few are searched one by one. */
+FOOTPOINT_APART void footpoint_detail_quad9_side_run(const footpoint_detail_quad9_side_call *call,
+                                                     size_t n, const double *const *x, double *xi,
+                                                     double *eta, double *gap, int *status)
 {
-    enum { FEW = 8 };
+    const int own = call->segment ? 30 - 3 : 0; /* columns that are not of x */
     const double *column[30];
     footpoint_detail_quad9_block t;
     size_t i;
-    int k;
-    for (i = 0; i < n; i += footpoint_detail_quad9_side) {
-        const int count = n - i < footpoint_detail_quad9_side ? (int)(n - i) : footpoint_detail_quad9_side;
+    int count, k;
+    t.lanes = n > 16 ? footpoint_detail_quad9_side : 8;
+    if (call->segment)
+        footpoint_detail_quad9_side_share(call->segment, &t);
+    for (k = 0; k < own; k++)
+        column[k] = t.x[k];
+    for (i = 0; i < n; i += (size_t)count) {
         double *const u = xi + i, *const v = eta + i, *const g = gap + i;
         int unproved = footpoint_detail_quad9_side + 1; /* none has been searched */
-        for (k = 0; k < 30; k++)
-            column[k] = x[k] + i;
-        if (count >= FEW) {
-            if (count < footpoint_detail_quad9_side)
-                footpoint_detail_quad9_side_fill(&t, column, count);
+        t.lanes = n - i > 16 ? footpoint_detail_quad9_side : 8;
+        count = n - i < (size_t)t.lanes ? (int)(n - i) : t.lanes;
+        for (k = own; k < 30; k++)
+            column[k] = x[k - own] + i;
+        if (call->name)
+            footpoint_detail_quad9_side_keep(&t, count, u, v);
+        if (count >= footpoint_detail_quad9_side_few) {
+            if (count < t.lanes)
+                footpoint_detail_quad9_side_fill(&t, own, column, count);
             footpoint_detail_quad9_side_narrow(column, &t);
-            footpoint_detail_quad9_side_steps(&t, promise, 0);
+            footpoint_detail_quad9_side_search(call, &t, 0);
             unproved = count == footpoint_detail_quad9_side
                            ? footpoint_detail_quad9_side_store(&t, footpoint_detail_quad9_side, u, v, g, status + i)
                            : footpoint_detail_quad9_side_store(&t, count, u, v, g, status + i);
         }
         if (unproved)
-            footpoint_detail_quad9_side_repair(search, nodes, &t, unproved, column, count, promise,
-                                               u, v, g, status + i);
+            footpoint_detail_quad9_side_repair(call, &t, unproved, column, count, u, v, g,
+                                               status + i);
     }
+}
+
+/* Searches from scratch. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_scratch(footpoint_detail_search *search,
+                                                        const double *const *segment, size_t n,
+                                                        const double *const *x, int nodes,
+                                                        double promise, double *xi, double *eta,
+                                                        double *gap, int *status)
+{
+    footpoint_detail_quad9_side_call call;
+    call.search = search;
+    call.name = NULL;
+    call.segment = segment;
+    call.promise = promise;
+    call.least = 0.0;
+    call.nodes = nodes;
+    footpoint_detail_quad9_side_run(&call, n, x, xi, eta, gap, status);
 }
 
 FOOTPOINT_PART void footpoint_detail_quad9_checked_n(footpoint_detail_search *search, size_t n,
@@ -1940,7 +2039,80 @@ FOOTPOINT_PART void footpoint_detail_quad9_checked_n(footpoint_detail_search *se
                                                      double promise, double *xi, double *eta,
                                                      double *gap, int *status)
 {
-    footpoint_detail_quad9_side_run(search, nodes, n, x, promise, xi, eta, gap, status);
+    footpoint_detail_quad9_side_scratch(search, NULL, n, x, nodes, promise, xi, eta, gap, status);
+}
+
+/* Searches slave nodes x over a segment. Its nodes are copied, so that no result changes them. */
+FOOTPOINT_PART void footpoint_detail_quad9_over_n(footpoint_detail_search *search,
+                                                  const double *const *segment, size_t n,
+                                                  const double *const *x, int nodes, double promise,
+                                                  double *xi, double *eta, double *gap, int *status)
+{
+    double c[9][3];
+    size_t i;
+    int j, k;
+    if (n >= footpoint_detail_quad9_side_few) {
+        footpoint_detail_quad9_side_scratch(search, segment, n, x, nodes, promise, xi, eta, gap,
+                                            status);
+        return;
+    }
+    for (k = 0; k < 9; k++)
+        for (j = 0; j < 3; j++)
+            c[k][j] = segment[k][j];
+    for (i = 0; i < n; i++) {
+        const double s[3] = {x[0][i], x[1][i], x[2][i]};
+        const double *const row[10] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], s};
+        footpoint_detail_quad9_side_one(search, nodes, row, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
+    }
+}
+
+/* Searches one pair from the last answer, which is in xi and eta, by NAME_from. */
+FOOTPOINT_PART void footpoint_detail_quad9_side_follow(footpoint_detail_quad9_name *from,
+                                                       const double *const *x, double *xi,
+                                                       double *eta, double *gap, int *status)
+{
+    double loc[2];
+    loc[0] = *xi;
+    loc[1] = *eta;
+    *status = from(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], loc, gap);
+    *xi = loc[0];
+    *eta = loc[1];
+}
+
+/* Searches from the last answers pairs or, unless `segment` is NULL, slave nodes over it, which is copied. */
+FOOTPOINT_PART void footpoint_detail_quad9_from_n(footpoint_detail_quad9_name *name,
+                                                  footpoint_detail_quad9_name *from,
+                                                  const double *const *segment, size_t n,
+                                                  const double *const *x, double promise,
+                                                  double least, double *xi, double *eta, double *gap,
+                                                  int *status)
+{
+    double c[9][3];
+    size_t i;
+    int j, k;
+    if (n >= footpoint_detail_quad9_side_few) {
+        footpoint_detail_quad9_side_call call;
+        call.search = NULL;
+        call.name = name;
+        call.segment = segment;
+        call.promise = promise;
+        call.least = least;
+        call.nodes = 0;
+        footpoint_detail_quad9_side_run(&call, n, x, xi, eta, gap, status);
+        return;
+    }
+    for (k = 0; k < 9; k++)
+        for (j = 0; j < 3; j++)
+            c[k][j] = segment ? segment[k][j] : 0.0;
+    for (i = 0; i < n; i++) {
+        double p[10][3];
+        const double *const row[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
+        for (k = 0; k < 10; k++)
+            for (j = 0; j < 3; j++)
+                p[k][j] = !segment ? x[3 * k + j][i] : k < 9 ? c[k][j] : x[j][i];
+        footpoint_detail_quad9_side_follow(from, row, &xi[i], &eta[i], &gap[i], &status[i]);
+    }
 }
 #endif
 
@@ -3452,8 +3624,8 @@ FOOTPOINT_PART int footpoint_detail_quad9_proved_closest_of(footpoint_detail_nea
  * NAME_n:   calls NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xE, xF, xG, xH, xI, xS;
  *           xi and eta must overlap nothing else.
  * NAME_checked_n:  calls NAME for n pairs, each with its status; if that is < 0, xi, eta and gap are meaningless.
- * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
- *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
+ * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  nodes are its vectors,
+ *           x the three columns of the slave nodes. */
 
 /* NAME, NAME_checked_n and NAME_over_n return FOOTPOINT_OK only if a minimum of the distance to the surface is proved
  * to lie within the macro NAME_PROMISE of (xi,eta), times |xi| or |eta| if that is greater than 1: for any segment,
@@ -4177,7 +4349,8 @@ FOOTPOINT_LOOP void footpoint_quad9_fast_from_n(size_t n, const double *const x[
                                                 double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                 double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_fast, 0, NULL, n, x, FOOTPOINT_QUAD9_FAST_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_fast, footpoint_quad9_fast_from, NULL, n, x, FOOTPOINT_QUAD9_FAST_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_fast_from_over_n(const double *const nodes[9], size_t n,
@@ -4185,7 +4358,8 @@ FOOTPOINT_LOOP void footpoint_quad9_fast_from_over_n(const double *const nodes[9
                                                      double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_fast, 1, nodes, n, x, FOOTPOINT_QUAD9_FAST_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_fast, footpoint_quad9_fast_from, nodes, n, x, FOOTPOINT_QUAD9_FAST_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_PART int footpoint_quad9_fast_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
@@ -4326,7 +4500,8 @@ FOOTPOINT_LOOP void footpoint_quad9_coarse_from_n(size_t n, const double *const 
                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_coarse, 0, NULL, n, x, FOOTPOINT_QUAD9_COARSE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_coarse, footpoint_quad9_coarse_from, NULL, n, x, FOOTPOINT_QUAD9_COARSE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_coarse_from_over_n(const double *const nodes[9], size_t n,
@@ -4335,7 +4510,8 @@ FOOTPOINT_LOOP void footpoint_quad9_coarse_from_over_n(const double *const nodes
                                                        double *FOOTPOINT_RESTRICT gap,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_coarse, 1, nodes, n, x, FOOTPOINT_QUAD9_COARSE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_coarse, footpoint_quad9_coarse_from, nodes, n, x, FOOTPOINT_QUAD9_COARSE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_PART int footpoint_quad9_coarse_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
@@ -4479,7 +4655,8 @@ FOOTPOINT_LOOP void footpoint_quad9_medium_from_n(size_t n, const double *const 
                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_medium, 0, NULL, n, x, FOOTPOINT_QUAD9_MEDIUM_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_medium, footpoint_quad9_medium_from, NULL, n, x, FOOTPOINT_QUAD9_MEDIUM_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_medium_from_over_n(const double *const nodes[9], size_t n,
@@ -4488,7 +4665,8 @@ FOOTPOINT_LOOP void footpoint_quad9_medium_from_over_n(const double *const nodes
                                                        double *FOOTPOINT_RESTRICT gap,
                                                        int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_medium, 1, nodes, n, x, FOOTPOINT_QUAD9_MEDIUM_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_medium, footpoint_quad9_medium_from, nodes, n, x, FOOTPOINT_QUAD9_MEDIUM_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_PART int footpoint_quad9_medium_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
@@ -4634,7 +4812,8 @@ FOOTPOINT_LOOP void footpoint_quad9_balanced_from_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_balanced, 0, NULL, n, x, FOOTPOINT_QUAD9_BALANCED_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_balanced, footpoint_quad9_balanced_from, NULL, n, x, FOOTPOINT_QUAD9_BALANCED_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_balanced_from_over_n(const double *const nodes[9], size_t n,
@@ -4643,7 +4822,8 @@ FOOTPOINT_LOOP void footpoint_quad9_balanced_from_over_n(const double *const nod
                                                          double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_balanced, 1, nodes, n, x, FOOTPOINT_QUAD9_BALANCED_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_balanced, footpoint_quad9_balanced_from, nodes, n, x, FOOTPOINT_QUAD9_BALANCED_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_PART int footpoint_quad9_balanced_detail_nearby(const double *const *x, int lanes, double zero,
@@ -4792,7 +4972,8 @@ FOOTPOINT_LOOP void footpoint_quad9_fine_from_n(size_t n, const double *const x[
                                                 double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                 double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_fine, 0, NULL, n, x, FOOTPOINT_QUAD9_FINE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_fine, footpoint_quad9_fine_from, NULL, n, x, FOOTPOINT_QUAD9_FINE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_fine_from_over_n(const double *const nodes[9], size_t n,
@@ -4800,7 +4981,8 @@ FOOTPOINT_LOOP void footpoint_quad9_fine_from_over_n(const double *const nodes[9
                                                      double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_fine, 1, nodes, n, x, FOOTPOINT_QUAD9_FINE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_fine, footpoint_quad9_fine_from, nodes, n, x, FOOTPOINT_QUAD9_FINE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_PART int footpoint_quad9_fine_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
@@ -4948,7 +5130,8 @@ FOOTPOINT_LOOP void footpoint_quad9_accurate_from_n(size_t n, const double *cons
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_accurate, 0, NULL, n, x, FOOTPOINT_QUAD9_ACCURATE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_accurate, footpoint_quad9_accurate_from, NULL, n, x, FOOTPOINT_QUAD9_ACCURATE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_accurate_from_over_n(const double *const nodes[9], size_t n,
@@ -4957,7 +5140,8 @@ FOOTPOINT_LOOP void footpoint_quad9_accurate_from_over_n(const double *const nod
                                                          double *FOOTPOINT_RESTRICT gap,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_accurate, 1, nodes, n, x, FOOTPOINT_QUAD9_ACCURATE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_accurate, footpoint_quad9_accurate_from, nodes, n, x, FOOTPOINT_QUAD9_ACCURATE_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_PART int footpoint_quad9_accurate_detail_nearby(const double *const *x, int lanes, double zero,
@@ -5110,7 +5294,8 @@ FOOTPOINT_LOOP void footpoint_quad9_sharp_from_n(size_t n, const double *const x
                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_sharp, 0, NULL, n, x, FOOTPOINT_QUAD9_SHARP_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_sharp, footpoint_quad9_sharp_from, NULL, n, x, FOOTPOINT_QUAD9_SHARP_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_sharp_from_over_n(const double *const nodes[9], size_t n,
@@ -5118,7 +5303,8 @@ FOOTPOINT_LOOP void footpoint_quad9_sharp_from_over_n(const double *const nodes[
                                                       double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                       int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_sharp, 1, nodes, n, x, FOOTPOINT_QUAD9_SHARP_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_sharp, footpoint_quad9_sharp_from, nodes, n, x, FOOTPOINT_QUAD9_SHARP_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_PART int footpoint_quad9_sharp_detail_nearby(const double *const *x, int lanes, double zero, double at[3],
@@ -5271,7 +5457,8 @@ FOOTPOINT_LOOP void footpoint_quad9_full_from_n(size_t n, const double *const x[
                                                 double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                 double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_full, 0, NULL, n, x, FOOTPOINT_QUAD9_FULL_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_full, footpoint_quad9_full_from, NULL, n, x, FOOTPOINT_QUAD9_FULL_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_LOOP void footpoint_quad9_full_from_over_n(const double *const nodes[9], size_t n,
@@ -5279,7 +5466,8 @@ FOOTPOINT_LOOP void footpoint_quad9_full_from_over_n(const double *const nodes[9
                                                      double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
                                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad9_from_n(footpoint_quad9_full, 1, nodes, n, x, FOOTPOINT_QUAD9_FULL_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad9_from_n(footpoint_quad9_full, footpoint_quad9_full_from, nodes, n, x, FOOTPOINT_QUAD9_FULL_PROMISE, FOOTPOINT_QUAD9_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_PART int footpoint_quad9_full_detail_nearby(const double *const *x, int lanes, double zero, double at[3],

@@ -995,13 +995,12 @@ FOOTPOINT_APART unsigned long long footpoint_detail_quad4_stages(const footpoint
     return (unsigned long long)1 << 63;
 }
 
-/* Moves from (*xi,*eta) to the foot point and computes the gap there; stages: 1 in a loop over arrays, 2 from the end
- * of such a step, otherwise 3. The highest bit of the result is not set if a minimum of the distance is proved to lie
- * within `promise` of the answer, which is at most 2/3 away. Any start is allowed, also NaN.
+/* Moves from (*xi,*eta) to the foot point and computes the gap there; stages: 2 from the end of such steps, otherwise
+ * 3. The highest bit of the result is not set if a minimum of the distance is proved to lie within `promise` of the
+ * answer, which is at most 2/3 away. Any start is allowed, also NaN.
  *
  * Newton's step and a correction through the same matrix are proved together, with one quotient. Fine promises take a
- * step before, except from nearby, because they would need many corrections through the first matrix. If moves are
- * large, that costs a loop over arrays less than a full repetition.
+ * step before, except from nearby, because they would need many corrections through the first matrix.
  *
  * Let F be the slopes and M a matrix near H^-1. Then z + M F(z) contracts by q = |1 - M H(z)|. Consider the ball about
  * the point of M in which q <= h <= 0.2. It holds the iterates, and no zero of det H. It also holds a root within (q
@@ -1051,7 +1050,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_from(const double *cons
     } else
         e.square = 2.0 * footpoint_detail_dot(w, w) + 24.0 * size;
     (void)least;
-    if (stages > 1 && footpoint_detail_infinite(r.uu * r.vv - r.r12 * r.r12) >> 63) {
+    if (footpoint_detail_infinite(r.uu * r.vv - r.r12 * r.r12) >> 63) {
         *gap = 0.0;
         return (unsigned long long)1 << 63; /* compilers' maxima raise exceptions on NaN */
     }
@@ -1059,30 +1058,21 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_from(const double *cons
     footpoint_detail_cross(u, c, by_s);
     footpoint_detail_cross(c, v, by_t);
     mixed = footpoint_detail_dot(c, n);
-    if (stages != 2 && promise < (stages > 1 ? 1e-6 : 1e-4)) {
+    if (stages != 2 && promise < 1e-6) {
         const double per = 1.0 / (r.uu * r.vv - r.r12 * r.r12);
         footpoint_detail_quad4_near at;
-        double before, ds, dt;
+        double before;
         (void)footpoint_detail_quad4_adjoin(&r, r.f, r.g, &s, &t);
         s *= per;
         t *= per;
-        if (fine && stages == 1) {
-            footpoint_detail_quad4_slopes(&r, s, t, &ds, &dt);
-            (void)footpoint_detail_quad4_adjoin(&r, ds, dt, &ds, &dt);
-            s += ds * per;
-            t += dt * per;
-        }
         before = footpoint_detail_greater(fabs(s), fabs(t));
         at = footpoint_detail_quad4_moved(&r, s, t);
-        doubt = footpoint_detail_quad4_stage(&r, &at, &e, promise,
-                                             fine || (stages == 1 && promise < 1e-6),
-                                             stages > 1 && !fine, before, &s, &t);
+        doubt = footpoint_detail_quad4_stage(&r, &at, &e, promise, fine, !fine, before, &s, &t);
     } else {
         s = t = 0.0;
-        doubt =
-            footpoint_detail_quad4_stage(&r, &r, &e, promise, 1, stages > 1 ? 2 : 0, 0.0, &s, &t);
+        doubt = footpoint_detail_quad4_stage(&r, &r, &e, promise, 1, 2, 0.0, &s, &t);
     }
-    if (stages > 1 && !fine && doubt >> 63) {
+    if (!fine && doubt >> 63) {
         const footpoint_detail_quad4_near start = r;
         const footpoint_detail_quad4_scales scales = e;
         double to_s = s, to_t = t;
@@ -1130,101 +1120,6 @@ FOOTPOINT_PART int footpoint_detail_quad4_further(footpoint_detail_quad4_name *n
     }
     return name(x[0], x[1], x[2], x[3], x[4], loc, gap);
 }
-
-/* Follows an element of arrays of last answers, which a loop has moved to (u,v). It is seldom called, and so not
- * inlined. */
-FOOTPOINT_COLD void footpoint_detail_quad4_follow_one(footpoint_detail_quad4_name *name,
-                                                      const double *const *x, double promise, double least,
-                                                      double u, double v, double *xi, double *eta, double *gap,
-                                                      int *status)
-{
-    double loc[2];
-    loc[0] = *xi;
-    loc[1] = *eta;
-    *status = footpoint_detail_quad4_further(name, x, promise, least, u, v, loc, gap);
-    *xi = loc[0];
-    *eta = loc[1];
-}
-
-/* Follows arrays in parts, each in a loop that is repeated if many answers are not proved. */
-enum { footpoint_detail_quad4_span = 64, footpoint_detail_quad4_few = 8 };
-
-/* Copies the vectors of pair i from the columns x. With `over`, x has the slave nodes' columns and c is the segment. */
-FOOTPOINT_PART void footpoint_detail_quad4_pair(double (*c)[3], int over, const double *const *x,
-                                                size_t i, double p[5][3])
-{
-    int k, j;
-    FOOTPOINT_UNROLL
-    for (k = 0; k < 5; k++) {
-        FOOTPOINT_UNROLL
-        for (j = 0; j < 3; j++)
-            p[k][j] = !over ? x[3 * k + j][i] : k < 4 ? c[k][j] : x[j][i];
-    }
-}
-
-/* Searches n pairs or, with `over`, n slave nodes over a segment, which is copied so that no result can change it. */
-FOOTPOINT_PART void
-footpoint_detail_quad4_from_n(footpoint_detail_quad4_name *name, int over, const double *const *segment,
-                              size_t n, const double *const *x, double promise, double least,
-                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    double c[4][3], u[footpoint_detail_quad4_span], v[footpoint_detail_quad4_span];
-    size_t first, i;
-    int j, k;
-    for (k = 0; k < 4; k++)
-        for (j = 0; j < 3; j++)
-            c[k][j] = over ? segment[k][j] : 0.0;
-    for (first = 0; first < n; first += footpoint_detail_quad4_span) {
-        const size_t m = n - first < (size_t)footpoint_detail_quad4_span
-                             ? n - first
-                             : (size_t)footpoint_detail_quad4_span;
-        int open = 0;
-        FOOTPOINT_EACH
-        for (i = first; i < first + m; i++) {
-            double p[5][3], a = xi[i], b = eta[i], g;
-            const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            int doubt;
-            footpoint_detail_quad4_pair(c, over, x, i, p);
-            doubt =
-                (int)(footpoint_detail_quad4_from(row, promise, least, 1, &a, &b, &g) >> 63);
-            u[i - first] = a;
-            v[i - first] = b;
-            gap[i] = g;
-            status[i] = FOOTPOINT_UNPROVED * doubt;
-            open += doubt;
-        }
-        if (open > footpoint_detail_quad4_few) {
-            FOOTPOINT_EACH
-            for (i = first; i < first + m; i++) {
-                double p[5][3], a = u[i - first], b = v[i - first], g;
-                const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-                const double last[2] = {xi[i], eta[i]};
-                const int good = status[i] == FOOTPOINT_OK;
-                unsigned long long doubt;
-                footpoint_detail_quad4_pair(c, over, x, i, p);
-                doubt = footpoint_detail_quad4_from(row, promise, least, 1, &a, &b, &g) |
-                        footpoint_detail_quad4_strayed(last, a, b);
-                u[i - first] = good ? u[i - first] : a;
-                v[i - first] = good ? v[i - first] : b;
-                gap[i] = good ? gap[i] : g;
-                status[i] = good ? FOOTPOINT_OK : FOOTPOINT_UNPROVED * (int)(doubt >> 63);
-            }
-        }
-        for (i = first; i < first + m; i++)
-            if (status[i] == FOOTPOINT_OK) {
-                xi[i] = u[i - first];
-                eta[i] = v[i - first];
-            } else {
-                double p[5][3];
-                const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-                footpoint_detail_quad4_pair(c, over, x, i, p);
-                footpoint_detail_quad4_follow_one(name, row, promise, least, u[i - first],
-                                                  v[i - first], &xi[i], &eta[i], &gap[i],
-                                                  &status[i]);
-            }
-    }
-}
 #endif
 
 #ifndef FOOTPOINT_QUAD4_ARRAYS
@@ -1260,40 +1155,6 @@ FOOTPOINT_PART void footpoint_detail_quad4_full(footpoint_detail_search *search,
     *status = footpoint_detail_quad4_answer(search, row, nodes, promise, loc, gap);
     *xi = loc[0];
     *eta = loc[1];
-}
-
-/* Searches slave nodes x over a segment, copied to c, which no result can change, so that its own values are computed once. */
-FOOTPOINT_PART void
-footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
-                              const double *const *x, int nodes, double promise,
-                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
-{
-    const double zero = footpoint_detail_zero();
-    double c[4][3];
-    size_t i;
-    int j, k;
-    for (k = 0; k < 4; k++)
-        for (j = 0; j < 3; j++)
-            c[k][j] = segment[k][j];
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double s[3] = {x[0][i], x[1][i], x[2][i]};
-        const double *const row[5] = {c[0], c[1], c[2], c[3], s};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, zero, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    for (i = 0; i < n; i++)
-        if (status[i] != FOOTPOINT_OK) {
-            const double s[3] = {x[0][i], x[1][i], x[2][i]};
-            const double *const row[5] = {c[0], c[1], c[2], c[3], s};
-            footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
-                                        &status[i]);
-        } else
-            status[i] = footpoint_detail_claim(FOOTPOINT_OK, promise);
 }
 #endif
 
@@ -1434,18 +1295,19 @@ FOOTPOINT_PART double footpoint_detail_quad4_side_root(double x)
 
 #ifndef FOOTPOINT_QUAD4_QUAD4_BLOCK
 #define FOOTPOINT_QUAD4_QUAD4_BLOCK
-enum { footpoint_detail_quad4_side = 32 }; /* pairs at a time */
+enum { footpoint_detail_quad4_side = 32 }; /* pairs at a time, or 8 */
 
 /* Holds values of pairs. `vector` has a, b, c and d, with 4 r = c0 + xi a + eta b + xi eta c and d = 4 xS - c0;
  * `narrow` has them rounded. `product` has a a, a b, b b, a c, b c, c c, a d, b d, c d, d d in a unit of length in
  * which the absolute values of the coordinates of a and b add up to 1 to 4. `square` changes products of lengths to
- * that unit. Steps in single precision end at (p,q); the answer is (xi,eta). Slopes f and g, or `slope`, and a11 to
+ * that unit. Steps in single precision end at (p,q); the answer is (xi,eta), the
+ * last one `last`. Slopes f and g, or `slope`, and a11 to
  * `flat` prove it: see footpoint_detail_f_quad4_side_bound. A pair is not proved if the highest bit of `doubt` or `wide`
  * is set. */
 typedef struct {
     double x[15][footpoint_detail_quad4_side];
     double vector[4][3][footpoint_detail_quad4_side], square[footpoint_detail_quad4_side];
-    double xi[footpoint_detail_quad4_side], eta[footpoint_detail_quad4_side];
+    double xi[footpoint_detail_quad4_side], eta[footpoint_detail_quad4_side], last[2][footpoint_detail_quad4_side];
     double f[footpoint_detail_quad4_side], g[footpoint_detail_quad4_side];
     double gap[footpoint_detail_quad4_side];
     float narrow[4][3][footpoint_detail_quad4_side], product[10][footpoint_detail_quad4_side];
@@ -1454,19 +1316,27 @@ typedef struct {
     float a22[footpoint_detail_quad4_side], most[footpoint_detail_quad4_side];
     float turn[footpoint_detail_quad4_side], off[footpoint_detail_quad4_side], bend[footpoint_detail_quad4_side], flat[footpoint_detail_quad4_side];
     unsigned int doubt[footpoint_detail_quad4_side], wide[footpoint_detail_quad4_side];
+    int lanes; /* 8 or footpoint_detail_quad4_side: loops of a known length vectorise with -O2, too */
 } footpoint_detail_quad4_block;
+
+/* Steps begin at the distance from here. */
+FOOTPOINT_PART double footpoint_detail_quad4_middle(void)
+{
+    return 0.0;
+}
 
 /* Computes a, b, c and d from columns x. In units of rounding of their coordinates, a is off by 2 |a| + |c|, b by |a| +
  * 2 |b| + 3 |c|, c by |a| + 2 |c|, d by 4 |a| + 3 |b| + 6 |c| + 3 |d|. */
-FOOTPOINT_APART void footpoint_detail_quad4_side_narrow(const double *const *x,
-                                                        footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_quad4_side_narrow_of(const double *const *x,
+                                                          footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                          int lanes)
 {
     int l, i, k;
     for (i = 0; i < 3; i++) {
         const double *const xa = x[i], *const xb = x[3 + i], *const xc = x[6 + i];
         const double *const xd = x[9 + i], *const xs = x[12 + i];
         FOOTPOINT_EACH
-        for (l = 0; l < footpoint_detail_quad4_side; l++) {
+        for (l = 0; l < lanes; l++) {
             const double ab = xb[l] - xa[l], dc = xc[l] - xd[l], c = dc - ab;
             const double b = 2.0 * (xd[l] - xa[l]) + c;
             const double all[4] = {ab + dc, b, c, (4.0 * (xs[l] - xa[l]) - b) - 2.0 * ab};
@@ -1479,6 +1349,15 @@ FOOTPOINT_APART void footpoint_detail_quad4_side_narrow(const double *const *x,
     }
 }
 
+FOOTPOINT_APART void footpoint_detail_quad4_side_narrow(const double *const *x,
+                                                        footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_quad4_side_narrow_of(x, t, 8);
+    else
+        footpoint_detail_quad4_side_narrow_of(x, t, footpoint_detail_quad4_side);
+}
+
 /* Computes the slopes and the gap at (xi,eta), if they are asked for. Slopes are f = r_xi . D and g = r_eta . D with D
  * = xS - r, times 16 and in the unit of products.
  *
@@ -1486,11 +1365,11 @@ FOOTPOINT_APART void footpoint_detail_quad4_side_narrow(const double *const *x,
  * (|a| + |c|), 4 r_eta by P (|a| + 4 |b| + 4 |c|), 4 D by 6 far, f by 13 far Q (|a| + |c|), and g by 13 far P (0.08 |a|
  * + |b| + |c|). */
 FOOTPOINT_PART void footpoint_detail_quad4_side_place(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t, int slopes,
-                                                      int gap)
+                                                      int gap, int lanes)
 {
     int l, i;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+    for (l = 0; l < lanes; l++) {
         const double xi = t->xi[l], eta = t->eta[l], square = t->square[l];
         double u[3], v[3], w[3], n[3];
         FOOTPOINT_WHOLE
@@ -1513,17 +1392,26 @@ FOOTPOINT_PART void footpoint_detail_quad4_side_place(footpoint_detail_quad4_blo
 
 FOOTPOINT_APART void footpoint_detail_quad4_side_slopes(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
 {
-    footpoint_detail_quad4_side_place(t, 1, 0);
+    if (t->lanes == 8)
+        footpoint_detail_quad4_side_place(t, 1, 0, 8);
+    else
+        footpoint_detail_quad4_side_place(t, 1, 0, footpoint_detail_quad4_side);
 }
 
 FOOTPOINT_APART void footpoint_detail_quad4_side_gaps(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
 {
-    footpoint_detail_quad4_side_place(t, 0, 1);
+    if (t->lanes == 8)
+        footpoint_detail_quad4_side_place(t, 0, 1, 8);
+    else
+        footpoint_detail_quad4_side_place(t, 0, 1, footpoint_detail_quad4_side);
 }
 
 FOOTPOINT_APART void footpoint_detail_quad4_side_slopes_and_gaps(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
 {
-    footpoint_detail_quad4_side_place(t, 1, 1);
+    if (t->lanes == 8)
+        footpoint_detail_quad4_side_place(t, 1, 1, 8);
+    else
+        footpoint_detail_quad4_side_place(t, 1, 1, footpoint_detail_quad4_side);
 }
 #endif
 
@@ -1561,24 +1449,34 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_side_correct(footpoint_detail_quad4
     t->wide[l] = footpoint_detail_f_bits(room) | footpoint_detail_f_infinite(room);
 }
 
-FOOTPOINT_APART void footpoint_detail_f_quad4_side_corrections(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
-                                                               float promise)
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_corrections_of(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                                 float promise, int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad4_side; l++)
+    for (l = 0; l < lanes; l++)
         footpoint_detail_f_quad4_side_correct(t, l, (float)t->f[l], (float)t->g[l], promise);
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_corrections(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                               float promise)
+{
+    if (t->lanes == 8)
+        footpoint_detail_f_quad4_side_corrections_of(t, promise, 8);
+    else
+        footpoint_detail_f_quad4_side_corrections_of(t, promise, footpoint_detail_quad4_side);
 }
 #endif
 
 #ifndef FOOTPOINT_QUAD4_QUAD4_SIDE_F
 #define FOOTPOINT_QUAD4_QUAD4_SIDE_F
 /* Computes products. Sets doubt if the unit of length is out of range. */
-FOOTPOINT_APART void footpoint_detail_f_quad4_side_products(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_products_of(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                              int lanes)
 {
     int l, i, k;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+    for (l = 0; l < lanes; l++) {
         float a[4][3], size, per;
         union {
             unsigned int bits;
@@ -1614,6 +1512,14 @@ FOOTPOINT_APART void footpoint_detail_f_quad4_side_products(footpoint_detail_qua
     }
 }
 
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_products(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_f_quad4_side_products_of(t, 8);
+    else
+        footpoint_detail_f_quad4_side_products_of(t, footpoint_detail_quad4_side);
+}
+
 /* Holds values at (p,q): products e, tu = r_xi . c, tv = r_eta . c, y = r_xi . r_eta - a . b, and the Hessian [r11 r12;
  * r12 r22] of half the squared distance. */
 typedef struct {
@@ -1638,11 +1544,12 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_side_visit(const footpoint_detail_q
 }
 
 /* Starts at the projection of the slave node on the parallelogram of the mid-lines, corrected for c to first order. */
-FOOTPOINT_APART void footpoint_detail_f_quad4_side_begin(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_begin_of(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                           int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+    for (l = 0; l < lanes; l++) {
         const float aa = t->product[0][l], ab = t->product[1][l], bb = t->product[2][l];
         const float ac = t->product[3][l], bc = t->product[4][l], ad = t->product[6][l];
         const float bd = t->product[7][l], per = 1.0f / (aa * bb - ab * ab);
@@ -1650,6 +1557,14 @@ FOOTPOINT_APART void footpoint_detail_f_quad4_side_begin(footpoint_detail_quad4_
         t->p[l] = p - (bb * ac - ab * bc) * pq;
         t->q[l] = q - (aa * bc - ab * ac) * pq;
     }
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_begin(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_f_quad4_side_begin_of(t, 8);
+    else
+        footpoint_detail_f_quad4_side_begin_of(t, footpoint_detail_quad4_side);
 }
 
 /* Returns 1 / det, or 0 if |det| is small beside `all`: a step across nearly parallel tangents would lead so far outside that
@@ -1666,11 +1581,12 @@ FOOTPOINT_PART float footpoint_detail_f_quad4_side_per(float det, float all)
 }
 
 /* Takes a Gauss-Newton step or a Newton step. */
-FOOTPOINT_PART void footpoint_detail_f_quad4_side_step(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t, int gauss)
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_step(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t, int gauss,
+                                                       int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_f_quad4_side_bend h;
         float r12, z, f, g, per, all;
         footpoint_detail_f_quad4_side_visit(t, l, &h);
@@ -1687,12 +1603,18 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_side_step(footpoint_detail_quad4_bl
 
 FOOTPOINT_APART void footpoint_detail_f_quad4_side_gauss(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
 {
-    footpoint_detail_f_quad4_side_step(t, 1);
+    if (t->lanes == 8)
+        footpoint_detail_f_quad4_side_step(t, 1, 8);
+    else
+        footpoint_detail_f_quad4_side_step(t, 1, footpoint_detail_quad4_side);
 }
 
 FOOTPOINT_APART void footpoint_detail_f_quad4_side_newton(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
 {
-    footpoint_detail_f_quad4_side_step(t, 0);
+    if (t->lanes == 8)
+        footpoint_detail_f_quad4_side_step(t, 0, 8);
+    else
+        footpoint_detail_f_quad4_side_step(t, 0, footpoint_detail_quad4_side);
 }
 
 /* Computes at (p,q) values that prove corrections, and F = (f,g) in single precision if `rough`.
@@ -1715,11 +1637,12 @@ FOOTPOINT_APART void footpoint_detail_f_quad4_side_newton(footpoint_detail_quad4
  * in double, `off` counts |c| itself.  If tiny numbers are flushed to zero, coordinates lose 1.2e-38f, so the face must be 1e-25f long.
  * A correction turns the normal u x v by at most |c| (U + V) step, which is less than a third of its length each time. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_side_bound(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
-                                                        int rough)
+                                                        int rough,
+                                                        int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_f_quad4_side_bend h;
         float x, y, r12, det, per, a, b, c, d, U, V, T, W, bend, off, row, column;
         footpoint_detail_f_quad4_side_visit(t, l, &h);
@@ -1776,38 +1699,136 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_side_bound(footpoint_detail_quad4_b
     }
 }
 
-FOOTPOINT_APART void footpoint_detail_f_quad4_side_bounds(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_bounds_of(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                            int lanes)
 {
     int l;
-    footpoint_detail_f_quad4_side_bound(t, 0);
+    footpoint_detail_f_quad4_side_bound(t, 0, lanes);
     FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad4_side; l++) {
+    for (l = 0; l < lanes; l++) {
         t->xi[l] = (double)t->p[l];
         t->eta[l] = (double)t->q[l];
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_bounds(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_f_quad4_side_bounds_of(t, 8);
+    else
+        footpoint_detail_f_quad4_side_bounds_of(t, footpoint_detail_quad4_side);
+}
+
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_rough_of(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                           float promise,
+                                                           int lanes)
+{
+    int l;
+    footpoint_detail_f_quad4_side_bound(t, 1, lanes);
+    FOOTPOINT_EACH
+    for (l = 0; l < lanes; l++) {
+        t->xi[l] = (double)t->p[l];
+        t->eta[l] = (double)t->q[l];
+        footpoint_detail_f_quad4_side_correct(t, l, t->slope[0][l], t->slope[1][l], promise);
     }
 }
 
 FOOTPOINT_APART void footpoint_detail_f_quad4_side_rough(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
                                                          float promise)
 {
+    if (t->lanes == 8)
+        footpoint_detail_f_quad4_side_rough_of(t, promise, 8);
+    else
+        footpoint_detail_f_quad4_side_rough_of(t, promise, footpoint_detail_quad4_side);
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_SIDE_LAST
+#define FOOTPOINT_QUAD4_SIDE_LAST
+/* Returns a coordinate, or 31, too far for a proof, if it is larger or NaN. */
+FOOTPOINT_PART double footpoint_detail_quad4_side_near(double p)
+{
+    const unsigned long long far = 0 - (footpoint_detail_above(p, 31.0) >> 63);
+    union {
+        double number;
+        unsigned long long bits;
+    } at, most;
+    at.number = p;
+    most.number = 31.0;
+    at.bits = (at.bits & ~far) | (most.bits & far);
+    return at.number;
+}
+
+/* Copies last answers into a block; repeats the last of `count` to fill it. */
+FOOTPOINT_PART void footpoint_detail_quad4_side_keep(footpoint_detail_quad4_block *t, int count, const double *xi,
+                                                     const double *eta)
+{
     int l;
-    footpoint_detail_f_quad4_side_bound(t, 1);
-    FOOTPOINT_EACH
-    for (l = 0; l < footpoint_detail_quad4_side; l++) {
-        t->xi[l] = (double)t->p[l];
-        t->eta[l] = (double)t->q[l];
-        footpoint_detail_f_quad4_side_correct(t, l, t->slope[0][l], t->slope[1][l], promise);
+    for (l = 0; l < count; l++) {
+        t->xi[l] = t->last[0][l] = xi[l];
+        t->eta[l] = t->last[1][l] = eta[l];
     }
+    for (; l < t->lanes; l++) {
+        t->last[0][l] = xi[count - 1];
+        t->last[1][l] = eta[count - 1];
+    }
+}
+
+/* Begins at the last answers. */
+FOOTPOINT_PART void footpoint_detail_quad4_side_resume_of(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                          int lanes)
+{
+    const double middle = footpoint_detail_quad4_middle();
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < lanes; l++) {
+        t->p[l] = (float)footpoint_detail_quad4_side_near(t->last[0][l] - middle);
+        t->q[l] = (float)footpoint_detail_quad4_side_near(t->last[1][l] - middle);
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_quad4_side_resume(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_quad4_side_resume_of(t, 8);
+    else
+        footpoint_detail_quad4_side_resume_of(t, footpoint_detail_quad4_side);
+}
+
+/* Leaves answers unproved that are more than half of the face away from the last ones. */
+FOOTPOINT_PART void footpoint_detail_quad4_side_astray_of(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                          int lanes)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < lanes; l++)
+        t->wide[l] |= (unsigned int)((footpoint_detail_above(t->xi[l] - t->last[0][l], 1.0) |
+                                      footpoint_detail_above(t->eta[l] - t->last[1][l], 1.0)) >>
+                                  63)
+                      << 31;
+}
+
+FOOTPOINT_APART void footpoint_detail_quad4_side_astray(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_quad4_side_astray_of(t, 8);
+    else
+        footpoint_detail_quad4_side_astray_of(t, footpoint_detail_quad4_side);
 }
 #endif
 
 #ifndef FOOTPOINT_QUAD4_QUAD4_PASS
 #define FOOTPOINT_QUAD4_QUAD4_PASS
-/* Takes as many steps as the promise needs, or `more` from their end, and proves the last. */
-FOOTPOINT_PART void footpoint_detail_quad4_side_steps(footpoint_detail_quad4_block *t, double promise, int more)
+/* Takes as many steps as the promise needs, `from` the last answers if it is 1, or `more` from their end, and proves the
+ * last. */
+FOOTPOINT_PART void footpoint_detail_quad4_side_steps(footpoint_detail_quad4_block *t, double promise, int from,
+                                                      int more)
 {
     footpoint_detail_f_quad4_side_products(t);
-    if (!more) {
+    if (!more && from) {
+        footpoint_detail_quad4_side_resume(t);
+        footpoint_detail_f_quad4_side_newton(t);
+    } else if (!more) {
         footpoint_detail_f_quad4_side_begin(t);
         footpoint_detail_f_quad4_side_gauss(t);
     }
@@ -1829,14 +1850,28 @@ FOOTPOINT_PART void footpoint_detail_quad4_side_steps(footpoint_detail_quad4_blo
 
 #ifndef FOOTPOINT_QUAD4_SIDE_RUN
 #define FOOTPOINT_QUAD4_SIDE_RUN
-/* Copies columns into a block that is not full, and repeats the last pair to fill it. */
-FOOTPOINT_COLD void footpoint_detail_quad4_side_fill(footpoint_detail_quad4_block *t, const double **x, int count)
+/* Copies columns into a block from the first on, and repeats the last of `count` pairs to fill it. */
+FOOTPOINT_PART void footpoint_detail_quad4_side_fill(footpoint_detail_quad4_block *t, int first, const double **x,
+                                                     int count)
 {
     int k, l;
-    for (k = 0; k < 15; k++) {
-        for (l = 0; l < footpoint_detail_quad4_side; l++)
-            t->x[k][l] = x[k][l < count ? l : count - 1];
+    for (k = first; k < 15; k++) {
+        for (l = 0; l < count; l++)
+            t->x[k][l] = x[k][l];
+        for (; l < t->lanes; l++)
+            t->x[k][l] = x[k][count - 1];
         x[k] = t->x[k];
+    }
+}
+
+/* Copies a segment's nodes into columns of a block. */
+FOOTPOINT_PART void footpoint_detail_quad4_side_share(const double *const *segment, footpoint_detail_quad4_block *t)
+{
+    int k, l;
+    for (k = 0; k < 15 - 3; k++) {
+        const double shared = segment[k / 3][k % 3];
+        for (l = 0; l < t->lanes; l++)
+            t->x[k][l] = shared;
     }
 }
 
@@ -1871,13 +1906,33 @@ FOOTPOINT_PART int footpoint_detail_quad4_side_fails(const footpoint_detail_quad
     return (t->doubt[l] | t->wide[l]) >> 31 || footpoint_detail_infinite(t->gap[l]) >> 63;
 }
 
+/* What to search: `search` from scratch or, unless `name` is NULL, from the last answers, which are in xi and eta, and with
+ * NAME; slave nodes over `segment` or, if that is NULL, pairs. */
+typedef struct {
+    footpoint_detail_search *search;
+    footpoint_detail_quad4_name *name;
+    const double *const *segment;
+    double promise, least;
+    int nodes;
+} footpoint_detail_quad4_side_call;
+
+/* Takes steps and proves the last, near the last answers if these begin the search. */
+FOOTPOINT_PART void footpoint_detail_quad4_side_search(const footpoint_detail_quad4_side_call *call,
+                                                       footpoint_detail_quad4_block *t, int more)
+{
+    footpoint_detail_quad4_side_steps(t, call->promise, call->name != NULL, more);
+    if (call->name)
+        footpoint_detail_quad4_side_astray(t);
+}
+
 /* Takes more steps. Stores answers of `failed` pairs that these prove, which then no longer count as failed. */
-FOOTPOINT_COLD void footpoint_detail_quad4_side_again(footpoint_detail_quad4_block *t, double promise, int *failed,
-                                                      int count, double *xi, double *eta,
-                                                      double *gap)
+FOOTPOINT_COLD void footpoint_detail_quad4_side_again(const footpoint_detail_quad4_side_call *call,
+                                                      footpoint_detail_quad4_block *t, int *failed, int count,
+                                                      double *xi,
+                                                      double *eta, double *gap)
 {
     int l;
-    footpoint_detail_quad4_side_steps(t, promise, 1);
+    footpoint_detail_quad4_side_search(call, t, 1);
     for (l = 0; l < count; l++)
         if (failed[l] && !footpoint_detail_quad4_side_fails(t, l)) {
             xi[l] = t->xi[l];
@@ -1887,10 +1942,27 @@ FOOTPOINT_COLD void footpoint_detail_quad4_side_again(footpoint_detail_quad4_blo
         }
 }
 
-/* Searches `failed` pairs one by one. */
-FOOTPOINT_COLD void footpoint_detail_quad4_side_mend(footpoint_detail_search *search, int nodes,
-                                                     const int *failed, const double *const *x,
-                                                     int count, double promise, double *xi,
+/* Searches one pair from scratch. */
+FOOTPOINT_PART void footpoint_detail_quad4_side_one(footpoint_detail_search *search, int nodes,
+                                                    const double *const *row, double promise,
+                                                    double *xi, double *eta, double *gap,
+                                                    int *status)
+{
+    double u, v, g;
+    if (search(row, 2, 0.0, &u, &v, &g) >> 63)
+        footpoint_detail_quad4_full(search, row, nodes, promise, xi, eta, gap, status);
+    else {
+        *xi = u;
+        *eta = v;
+        *gap = g;
+        *status = FOOTPOINT_OK;
+    }
+}
+
+/* Searches `failed` pairs one by one, from where steps have ended if there are last answers. */
+FOOTPOINT_COLD void footpoint_detail_quad4_side_mend(const footpoint_detail_quad4_side_call *call,
+                                                     const footpoint_detail_quad4_block *t, const int *failed,
+                                                     const double *const *x, int count, double *xi,
                                                      double *eta, double *gap, int *status)
 {
     int i;
@@ -1899,64 +1971,91 @@ FOOTPOINT_COLD void footpoint_detail_quad4_side_mend(footpoint_detail_search *se
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            double u, v, g;
-            if (search(row, 2, 0.0, &u, &v, &g) >> 63)
-                footpoint_detail_quad4_full(search, row, nodes, promise, &xi[i], &eta[i], &gap[i],
-                                            &status[i]);
-            else {
-                xi[i] = u;
-                eta[i] = v;
-                gap[i] = g;
-                status[i] = FOOTPOINT_OK;
-            }
+            if (call->name) {
+                double loc[2];
+                loc[0] = t->last[0][i];
+                loc[1] = t->last[1][i];
+                status[i] = footpoint_detail_quad4_further(
+                    call->name, row, call->promise, call->least, t->xi[i], t->eta[i], loc, &gap[i]);
+                xi[i] = loc[0];
+                eta[i] = loc[1];
+            } else
+                footpoint_detail_quad4_side_one(call->search, call->nodes, row, call->promise,
+                                                &xi[i], &eta[i], &gap[i], &status[i]);
         }
 }
 
 /* Repairs unproved answers. If many failed, it first takes more steps, unless rounding forbids most proofs. */
-FOOTPOINT_COLD void footpoint_detail_quad4_side_repair(footpoint_detail_search *search, int nodes,
+FOOTPOINT_COLD void footpoint_detail_quad4_side_repair(const footpoint_detail_quad4_side_call *call,
                                                        footpoint_detail_quad4_block *t, int unproved,
-                                                       const double *const *x, int count,
-                                                       double promise, double *xi, double *eta,
-                                                       double *gap, int *status)
+                                                       const double *const *x, int count, double *xi,
+                                                       double *eta, double *gap, int *status)
 {
     int failed[footpoint_detail_quad4_side], l;
     for (l = 0; l < count; l++)
         failed[l] = unproved > count || footpoint_detail_quad4_side_fails(t, l);
-    if (unproved > 3 && unproved <= count && promise > 0.99e-9)
-        footpoint_detail_quad4_side_again(t, promise, failed, count, xi, eta, gap);
-    footpoint_detail_quad4_side_mend(search, nodes, failed, x, count, promise, xi, eta, gap, status);
+    if (unproved > 3 && unproved <= count && call->promise > 0.99e-9)
+        footpoint_detail_quad4_side_again(call, t, failed, count, xi, eta, gap);
+    footpoint_detail_quad4_side_mend(call, t, failed, x, count, xi, eta, gap, status);
 }
 
-/* Searches n pairs. A few are searched one by one, which is faster. */
-FOOTPOINT_APART void footpoint_detail_quad4_side_run(footpoint_detail_search *search, int nodes,
-                                                     size_t n, const double *const *x,
-                                                     double promise, double *xi, double *eta,
-                                                     double *gap, int *status)
+/* Pairs are quicker side by side, from this number on. */
+enum { footpoint_detail_quad4_side_few = 3 };
+
+/* Searches n pairs, or slave nodes over a segment, of columns x. A few are searched one by one. */
+FOOTPOINT_APART void footpoint_detail_quad4_side_run(const footpoint_detail_quad4_side_call *call,
+                                                     size_t n, const double *const *x, double *xi,
+                                                     double *eta, double *gap, int *status)
 {
-    enum { FEW = 8 };
+    const int own = call->segment ? 15 - 3 : 0; /* columns that are not of x */
     const double *column[15];
     footpoint_detail_quad4_block t;
     size_t i;
-    int k;
-    for (i = 0; i < n; i += footpoint_detail_quad4_side) {
-        const int count = n - i < footpoint_detail_quad4_side ? (int)(n - i) : footpoint_detail_quad4_side;
+    int count, k;
+    t.lanes = n > 16 ? footpoint_detail_quad4_side : 8;
+    if (call->segment)
+        footpoint_detail_quad4_side_share(call->segment, &t);
+    for (k = 0; k < own; k++)
+        column[k] = t.x[k];
+    for (i = 0; i < n; i += (size_t)count) {
         double *const u = xi + i, *const v = eta + i, *const g = gap + i;
         int unproved = footpoint_detail_quad4_side + 1; /* none has been searched */
-        for (k = 0; k < 15; k++)
-            column[k] = x[k] + i;
-        if (count >= FEW) {
-            if (count < footpoint_detail_quad4_side)
-                footpoint_detail_quad4_side_fill(&t, column, count);
+        t.lanes = n - i > 16 ? footpoint_detail_quad4_side : 8;
+        count = n - i < (size_t)t.lanes ? (int)(n - i) : t.lanes;
+        for (k = own; k < 15; k++)
+            column[k] = x[k - own] + i;
+        if (call->name)
+            footpoint_detail_quad4_side_keep(&t, count, u, v);
+        if (count >= footpoint_detail_quad4_side_few) {
+            if (count < t.lanes)
+                footpoint_detail_quad4_side_fill(&t, own, column, count);
             footpoint_detail_quad4_side_narrow(column, &t);
-            footpoint_detail_quad4_side_steps(&t, promise, 0);
+            footpoint_detail_quad4_side_search(call, &t, 0);
             unproved = count == footpoint_detail_quad4_side
                            ? footpoint_detail_quad4_side_store(&t, footpoint_detail_quad4_side, u, v, g, status + i)
                            : footpoint_detail_quad4_side_store(&t, count, u, v, g, status + i);
         }
         if (unproved)
-            footpoint_detail_quad4_side_repair(search, nodes, &t, unproved, column, count, promise,
-                                               u, v, g, status + i);
+            footpoint_detail_quad4_side_repair(call, &t, unproved, column, count, u, v, g,
+                                               status + i);
     }
+}
+
+/* Searches from scratch. */
+FOOTPOINT_PART void footpoint_detail_quad4_side_scratch(footpoint_detail_search *search,
+                                                        const double *const *segment, size_t n,
+                                                        const double *const *x, int nodes,
+                                                        double promise, double *xi, double *eta,
+                                                        double *gap, int *status)
+{
+    footpoint_detail_quad4_side_call call;
+    call.search = search;
+    call.name = NULL;
+    call.segment = segment;
+    call.promise = promise;
+    call.least = 0.0;
+    call.nodes = nodes;
+    footpoint_detail_quad4_side_run(&call, n, x, xi, eta, gap, status);
 }
 
 FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *search, size_t n,
@@ -1964,7 +2063,80 @@ FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *se
                                                      double promise, double *xi, double *eta,
                                                      double *gap, int *status)
 {
-    footpoint_detail_quad4_side_run(search, nodes, n, x, promise, xi, eta, gap, status);
+    footpoint_detail_quad4_side_scratch(search, NULL, n, x, nodes, promise, xi, eta, gap, status);
+}
+
+/* Searches slave nodes x over a segment. Its nodes are copied, so that no result changes them. */
+FOOTPOINT_PART void footpoint_detail_quad4_over_n(footpoint_detail_search *search,
+                                                  const double *const *segment, size_t n,
+                                                  const double *const *x, int nodes, double promise,
+                                                  double *xi, double *eta, double *gap, int *status)
+{
+    double c[4][3];
+    size_t i;
+    int j, k;
+    if (n >= footpoint_detail_quad4_side_few) {
+        footpoint_detail_quad4_side_scratch(search, segment, n, x, nodes, promise, xi, eta, gap,
+                                            status);
+        return;
+    }
+    for (k = 0; k < 4; k++)
+        for (j = 0; j < 3; j++)
+            c[k][j] = segment[k][j];
+    for (i = 0; i < n; i++) {
+        const double s[3] = {x[0][i], x[1][i], x[2][i]};
+        const double *const row[5] = {c[0], c[1], c[2], c[3], s};
+        footpoint_detail_quad4_side_one(search, nodes, row, promise, &xi[i], &eta[i], &gap[i],
+                                        &status[i]);
+    }
+}
+
+/* Searches one pair from the last answer, which is in xi and eta, by NAME_from. */
+FOOTPOINT_PART void footpoint_detail_quad4_side_follow(footpoint_detail_quad4_name *from,
+                                                       const double *const *x, double *xi,
+                                                       double *eta, double *gap, int *status)
+{
+    double loc[2];
+    loc[0] = *xi;
+    loc[1] = *eta;
+    *status = from(x[0], x[1], x[2], x[3], x[4], loc, gap);
+    *xi = loc[0];
+    *eta = loc[1];
+}
+
+/* Searches from the last answers pairs or, unless `segment` is NULL, slave nodes over it, which is copied. */
+FOOTPOINT_PART void footpoint_detail_quad4_from_n(footpoint_detail_quad4_name *name,
+                                                  footpoint_detail_quad4_name *from,
+                                                  const double *const *segment, size_t n,
+                                                  const double *const *x, double promise,
+                                                  double least, double *xi, double *eta, double *gap,
+                                                  int *status)
+{
+    double c[4][3];
+    size_t i;
+    int j, k;
+    if (n >= footpoint_detail_quad4_side_few) {
+        footpoint_detail_quad4_side_call call;
+        call.search = NULL;
+        call.name = name;
+        call.segment = segment;
+        call.promise = promise;
+        call.least = least;
+        call.nodes = 0;
+        footpoint_detail_quad4_side_run(&call, n, x, xi, eta, gap, status);
+        return;
+    }
+    for (k = 0; k < 4; k++)
+        for (j = 0; j < 3; j++)
+            c[k][j] = segment ? segment[k][j] : 0.0;
+    for (i = 0; i < n; i++) {
+        double p[5][3];
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        for (k = 0; k < 5; k++)
+            for (j = 0; j < 3; j++)
+                p[k][j] = !segment ? x[3 * k + j][i] : k < 4 ? c[k][j] : x[j][i];
+        footpoint_detail_quad4_side_follow(from, row, &xi[i], &eta[i], &gap[i], &status[i]);
+    }
 }
 #endif
 
@@ -3076,8 +3248,8 @@ FOOTPOINT_PART int footpoint_detail_quad4_proved_closest_of(footpoint_detail_nea
  * NAME_n:   calls NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta must overlap nothing else.
  * NAME_checked_n:  calls NAME for n pairs, each with its status; if that is < 0, xi, eta and gap are meaningless.
- * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
- *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
+ * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  nodes are its vectors,
+ *           x the three columns of the slave nodes. */
 
 /* NAME, NAME_checked_n and NAME_over_n return FOOTPOINT_OK only if a minimum of the distance to the surface is proved
  * to lie within the macro NAME_PROMISE of (xi,eta), times |xi| or |eta| if that is greater than 1: for any segment,
@@ -3284,7 +3456,8 @@ FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_from_n(size_t n, const doubl
                                                            double *FOOTPOINT_RESTRICT gap,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_from_n(footpoint_rectangle_quad4_exact, 0, NULL, n, x, FOOTPOINT_RECTANGLE_QUAD4_EXACT_PROMISE, FOOTPOINT_RECTANGLE_QUAD4_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad4_from_n(footpoint_rectangle_quad4_exact, footpoint_rectangle_quad4_exact_from, NULL, n, x, FOOTPOINT_RECTANGLE_QUAD4_EXACT_PROMISE, FOOTPOINT_RECTANGLE_QUAD4_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_from_over_n(const double *const nodes[4], size_t n,
@@ -3294,7 +3467,8 @@ FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_from_over_n(const double *co
                                                                 double *FOOTPOINT_RESTRICT gap,
                                                                 int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_quad4_from_n(footpoint_rectangle_quad4_exact, 1, nodes, n, x, FOOTPOINT_RECTANGLE_QUAD4_EXACT_PROMISE, FOOTPOINT_RECTANGLE_QUAD4_LEAST, xi, eta, gap, status);
+    footpoint_detail_quad4_from_n(footpoint_rectangle_quad4_exact, footpoint_rectangle_quad4_exact_from, nodes, n, x, FOOTPOINT_RECTANGLE_QUAD4_EXACT_PROMISE, FOOTPOINT_RECTANGLE_QUAD4_LEAST, xi, eta, gap,
+                                  status);
 }
 
 FOOTPOINT_PART int footpoint_rectangle_quad4_exact_detail_nearby(const double *const *x, int lanes, double zero,

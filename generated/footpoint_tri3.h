@@ -1273,8 +1273,8 @@ FOOTPOINT_PART int footpoint_detail_tri3_proved_closest_of(footpoint_detail_near
  * NAME_n:   calls NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xS;
  *           xi and eta must overlap nothing else.
  * NAME_checked_n:  calls NAME for n pairs, each with its status; if that is < 0, xi, eta and gap are meaningless.
- * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
- *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
+ * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  nodes are its vectors,
+ *           x the three columns of the slave nodes. */
 
 /* NAME, NAME_checked_n and NAME_over_n return FOOTPOINT_OK only if a minimum of the distance to the surface is proved
  * to lie within the macro NAME_PROMISE of (xi,eta), times |xi| or |eta| if that is greater than 1: for any segment,

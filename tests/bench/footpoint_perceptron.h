@@ -1209,8 +1209,8 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  * NAME_n:   calls NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta must overlap nothing else.
  * NAME_checked_n:  calls NAME for n pairs, each with its status; if that is < 0, xi, eta and gap are meaningless.
- * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
- *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
+ * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  nodes are its vectors,
+ *           x the three columns of the slave nodes. */
 
 /* NAME and NAME_checked_n stay in the closed segment, |xi| <= 1 and |eta| <= 1. FOOTPOINT_OK: a minimum of the distance
  * to the surface is proved to lie within the macro NAME_PROMISE of (xi,eta). FOOTPOINT_OUTSIDE: (xi,eta) lies on an

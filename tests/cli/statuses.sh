@@ -40,6 +40,7 @@ for header in $HEADERS; do
         [ "$type" = float ] && echo '#define EXTREME 96' || echo '#define EXTREME 992'
         [ -z "$wide" ] || echo '#define WIDE'
         case $kind in gregory | bezier) echo '#define PATCH' ;; esac
+        ! grep -q _side_run "$header" && [ "$nodes" = $((vectors - 1)) ] || echo '#define SIDE_BY_SIDE'
         echo "#define R $type"
         echo "#define VECTORS $vectors"
         echo "#define NODES $nodes"

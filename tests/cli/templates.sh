@@ -56,8 +56,8 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
         gregory) files="$files patch_gregory patch_expand patch_newton patch_proof patch_repair patch_from" ;;
         esac
         case $kind in
-        quad4) files="$files arrays over side_root:double quad4_block:double side_correct:double quad4_side:double quad4_pass:double side_run:arrays_checked" ;;
-        tri6 | quad8 | quad9) files="$files arrays over side_root:double curved_block:double side_correct:double curved_side:double curved_pass:double side_run:arrays_checked" ;;
+        quad4) files="$files arrays side_root:over quad4_block:double side_correct:double quad4_side:double side_last:double quad4_pass:double side_run:arrays_checked" ;;
+        tri6 | quad8 | quad9) files="$files arrays side_root:over curved_block:double side_correct:double curved_side:double side_last:double curved_pass:double side_run:arrays_checked" ;;
         *) files="$files arrays arrays_checked over" ;;
         esac
         case $kind in
@@ -97,9 +97,9 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
         '') ;;
         quad4)
             files="$files quad4_sole quad4_here:quad4_vector_here quad4_close quad4_repair_closest proved_closest_arrays"
-            calls="nearest nearest_shorter quad4_prove quad4_approach $calls from_calls quad4_nearby:quad4_vector_nearby proved_closest_calls quad4_closest_from"
+            calls="nearest nearest_shorter quad4_prove quad4_approach $calls from_calls:double quad4_nearby:quad4_vector_nearby proved_closest_calls quad4_closest_from"
             ;;
-        curved*) calls="$calls from_calls curved_nearby proved_closest_calls" ;;
+        curved*) calls="$calls from_calls:double curved_nearby proved_closest_calls" ;;
         tri3) calls="$calls tri3_nearby proved_closest_calls" ;;
         esac
         if [ $kind = face ]; then # functions at a place of it

@@ -10,6 +10,7 @@
  *   CLOSEST(F)  if the header has them: F(NAME_closest) for each function; its distance is compared as the gap
  *   OVER        the header has NAME_over_n
  *   PATCH       the segment is a patch
+ *   SIDE_BY_SIDE  arrays are searched side by side
  *
  * Each call of NAME is repeated in NAME_checked_n, between two good pairs, and in NAME_over_n. */
 #include <math.h>
@@ -113,11 +114,11 @@ static int is_same(R a, R b)
 #endif
 }
 
-/* Compares numbers of a single call and of arrays. On patches both keep the promise, which test_promise_patches judges,
- * but differ within it. */
+/* Compares numbers of a single call and of arrays. Where arrays are searched side by side both keep the promise, which
+ * test_from and test_from_patches judge, but differ within it. */
 static int is_equal(R a, R b)
 {
-#ifdef PATCH
+#ifdef SIDE_BY_SIDE
     const R off = (R)0.01 * (a < 0 ? -a : a);
     return a - b <= off && b - a <= off;
 #else

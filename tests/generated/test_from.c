@@ -1,6 +1,7 @@
 /* Searches from the last answer: with FOOTPOINT_OK a minimum of the distance lies within NAME_PROMISE, and they return
  * FOOTPOINT_OK whenever NAME does. Faces of four to nine nodes: ordinary, strongly curved, slivers and wild. Starts are
- * off by 1e-6 to 10 faces, or NaN; calls, arrays and one face. With FOOTPOINT_LONG ten million calls. */
+ * off by 1e-6 to 10 faces, or NaN; calls, arrays of any length and one face. The same for searches from scratch over
+ * arrays. With FOOTPOINT_LONG ten million calls. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad8.h"
 #include "../../generated/footpoint_quad9.h"
@@ -59,13 +60,15 @@ static long cases(void)
 FUNCTIONS(WRAP)
 
 typedef int search(const double *const *x, const double *xs, double loc[2], double *gap);
+typedef void pairs(size_t n, const double *const *x, double *xi, double *eta, double *gap, int *status);
+typedef void slaves(const double *const *nodes, size_t n, const double *const *x, double *xi, double *eta, double *gap,
+                    int *status);
 static const struct function {
     const char *kind, *name;
     double promise;
     search *scratch, *from;
-    void (*from_n)(size_t n, const double *const *x, double *xi, double *eta, double *gap, int *status);
-    void (*over_n)(const double *const *nodes, size_t n, const double *const *x, double *xi, double *eta, double *gap,
-                   int *status);
+    pairs *checked_n, *from_n;
+    slaves *over_n, *from_over_n;
 } functions[] = {
 #define ROW(kind, name, capitals)                                                                                      \
     {#kind,                                                                                                            \
@@ -73,7 +76,9 @@ static const struct function {
      FOOTPOINT_##capitals##_PROMISE,                                                                                   \
      scratch_##name,                                                                                                   \
      from_##name,                                                                                                      \
+     footpoint_##name##_checked_n,                                                                                     \
      footpoint_##name##_from_n,                                                                                        \
+     footpoint_##name##_over_n,                                                                                        \
      footpoint_##name##_from_over_n},
     FUNCTIONS(ROW)};
 enum { COUNT = sizeof functions / sizeof *functions };
@@ -160,39 +165,41 @@ static void test_moves(void **state)
         }
 }
 
-/* Judges as many pairs in arrays, and all their slave nodes over the first face. */
-static void arrays(const struct function *f, const struct curved_kind *kind, uint64_t *stream)
+/* Searches some of these pairs, or their slave nodes over the first face, from the last answers or from scratch, and
+ * judges the answers. Nothing else is written. */
+static void arrays(const struct function *f, const struct curved_kind *kind, bool over, bool from, uint64_t *stream)
 {
     static double column[MOST_ROWS][PAIRS], start[2][PAIRS], loc[2][PAIRS], gap[PAIRS];
     static struct subject s[PAIRS];
     static int scratch[PAIRS], status[PAIRS];
+    const int n = 1 + draw_choose(stream, PAIRS);
     const double *x[MOST_ROWS];
-    for (int over = 0; over < 2; over++) {
-        for (int i = 0; i < PAIRS; i++) {
-            double at[2] = {0, 0}, from[2];
-            if (!over)
-                draw_subject(stream, kind, (enum curved_group)(i % CURVED_GROUPS), &s[i]);
-            s[i].is_known = false;
-            for (int k = 0; over && k < kind->nodes; k++) {
-                memcpy(s[i].face.x[k], s[0].face.x[k], sizeof s[i].face.x[k]);
-                s[i].unit = judged_unit(&s[i].face);
-            }
-            scratch[i] = f->scratch(s[i].x, s[i].xs, at, &gap[i]);
-            draw_start(stream, at, from);
-            for (int k = 0; k < 2; k++)
-                start[k][i] = loc[k][i] = from[k];
-            for (int row = 0; row < 3 * (kind->nodes + 1); row++) {
-                column[row][i] = s[i].face.x[row / 3][row % 3];
-                x[row] = column[row];
-            }
+    for (int i = 0; i < PAIRS; i++) {
+        double at[2] = {0, 0}, last[2];
+        draw_subject(stream, kind, (enum curved_group)(i % CURVED_GROUPS), &s[i]);
+        for (int k = 0; over && k < kind->nodes; k++)
+            memcpy(s[i].face.x[k], s[0].face.x[k], sizeof s[i].face.x[k]);
+        s[i].unit = judged_unit(&s[i].face);
+        scratch[i] = f->scratch(s[i].x, s[i].xs, at, &gap[i]);
+        draw_start(stream, at, last);
+        for (int k = 0; k < 2; k++)
+            start[k][i] = loc[k][i] = last[k];
+        status[i] = 77;
+        for (int row = 0; row < 3 * (kind->nodes + 1); row++) {
+            column[row][i] = s[i].face.x[row / 3][row % 3];
+            x[row] = column[row];
         }
-        if (over)
-            f->over_n(s[0].x, PAIRS, x + 3 * kind->nodes, loc[0], loc[1], gap, status);
+    }
+    if (over)
+        (from ? f->from_over_n : f->over_n)(s[0].x, (size_t)n, x + 3 * kind->nodes, loc[0], loc[1], gap, status);
+    else
+        (from ? f->from_n : f->checked_n)((size_t)n, x, loc[0], loc[1], gap, status);
+    for (int i = 0; i < PAIRS; i++) {
+        const double last[2] = {start[0][i], start[1][i]}, found[2] = {loc[0][i], loc[1][i]};
+        if (i < n)
+            judge(&s[i], f, from ? last : found, scratch[i], status[i], found);
         else
-            f->from_n(PAIRS, x, loc[0], loc[1], gap, status);
-        for (int i = 0; i < PAIRS; i++)
-            judge(&s[i], f, (double[2]){start[0][i], start[1][i]}, scratch[i], status[i],
-                  (double[2]){loc[0][i], loc[1][i]});
+            assert_true(status[i] == 77 && memcmp(last, found, sizeof last) == 0);
     }
 }
 
@@ -204,7 +211,8 @@ static void test_arrays(void **state)
         for (int k = 0; k < CASE_KINDS; k++)
             if (is_of(&functions[j], &curved_kinds[k]))
                 for (long i = 0; i < (cases() + CASES - 1) / CASES; i += 10)
-                    arrays(&functions[j], &curved_kinds[k], &stream);
+                    for (int way = 0; way < 4; way++)
+                        arrays(&functions[j], &curved_kinds[k], way / 2, way % 2, &stream);
 }
 
 int main(void)

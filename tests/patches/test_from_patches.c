@@ -50,14 +50,16 @@ static long cases(void)
 FUNCTIONS(WRAP)
 
 typedef int search(const double *const *x, double loc[2], double *gap);
+typedef void pairs(size_t n, const double *const *x, double *xi, double *eta, double *gap, int *status);
+typedef void slaves(const double *const *nodes, size_t n, const double *const *x, double *xi, double *eta, double *gap,
+                    int *status);
 static const struct function {
     int kind;
     const char *name;
     double promise;
     search *scratch, *from;
-    void (*from_n)(size_t n, const double *const *x, double *xi, double *eta, double *gap, int *status);
-    void (*over_n)(const double *const *nodes, size_t n, const double *const *x, double *xi, double *eta, double *gap,
-                   int *status);
+    pairs *checked_n, *from_n;
+    slaves *over_n, *from_over_n;
 } functions[] = {
 #define ROW(kind, name, capitals)                                                                                      \
     {kind,                                                                                                             \
@@ -65,7 +67,9 @@ static const struct function {
      FOOTPOINT_##capitals##_PROMISE,                                                                                   \
      scratch_##name,                                                                                                   \
      from_##name,                                                                                                      \
+     footpoint_##name##_checked_n,                                                                                     \
      footpoint_##name##_from_n,                                                                                        \
+     footpoint_##name##_over_n,                                                                                        \
      footpoint_##name##_from_over_n},
     FUNCTIONS(ROW)};
 enum { COUNT = sizeof functions / sizeof *functions };
@@ -151,36 +155,43 @@ static void test_moves(void **state)
         }
 }
 
-/* Searches pairs in arrays or, with `over`, the slave nodes of all pairs over the first patch. */
-static void arrays(const struct function *f, bool over, uint64_t *stream)
+/* Searches some of these pairs, or their slave nodes over the first patch, from the last answers or from scratch, and
+ * judges the answers. Nothing else is written. */
+static void arrays(const struct function *f, bool over, bool from, uint64_t *stream)
 {
     static double column[ROWS][PAIRS], start[2][PAIRS], loc[2][PAIRS], gap[PAIRS];
     static struct subject s[PAIRS];
     static int scratch[PAIRS], status[PAIRS];
+    const int n = 1 + draw_choose(stream, PAIRS);
     const double *x[ROWS];
     for (int i = 0; i < PAIRS; i++) {
-        double at[2] = {0, 0}, from[2];
+        double at[2] = {0, 0}, last[2];
         s[i].f.kind = f->kind;
         patch_draw(stream, (enum patch_group)(i % PATCH_GROUPS), &s[i].f);
         if (over)
             memcpy(s[i].f.x, s[0].f.x, 8 * sizeof *s[i].f.x);
         view(&s[i]);
         scratch[i] = f->scratch(s[i].x, at, &gap[i]);
-        draw_start(stream, at, from);
+        draw_start(stream, at, last);
         for (int k = 0; k < 2; k++)
-            start[k][i] = loc[k][i] = from[k];
+            start[k][i] = loc[k][i] = last[k];
+        status[i] = 77;
         for (int row = 0; row < ROWS; row++) {
             column[row][i] = s[i].f.x[row / 3][row % 3];
             x[row] = column[row];
         }
     }
     if (over)
-        f->over_n(s[0].x, PAIRS, x + 24, loc[0], loc[1], gap, status);
+        (from ? f->from_over_n : f->over_n)(s[0].x, (size_t)n, x + 24, loc[0], loc[1], gap, status);
     else
-        f->from_n(PAIRS, x, loc[0], loc[1], gap, status);
-    for (int i = 0; i < PAIRS; i++)
-        judge(&s[i], f, (double[2]){start[0][i], start[1][i]}, scratch[i], status[i],
-              (double[2]){loc[0][i], loc[1][i]});
+        (from ? f->from_n : f->checked_n)((size_t)n, x, loc[0], loc[1], gap, status);
+    for (int i = 0; i < PAIRS; i++) {
+        const double last[2] = {start[0][i], start[1][i]}, found[2] = {loc[0][i], loc[1][i]};
+        if (i < n)
+            judge(&s[i], f, from ? last : found, scratch[i], status[i], found);
+        else
+            assert_true(status[i] == 77 && memcmp(last, found, sizeof last) == 0);
+    }
 }
 
 static void test_arrays(void **state)
@@ -189,8 +200,8 @@ static void test_arrays(void **state)
     (void)state;
     for (int j = 0; j < COUNT; j++)
         for (long i = 0; i < (cases() + CASES - 1) / CASES; i++)
-            for (int over = 0; over < 2; over++)
-                arrays(&functions[j], over, &stream);
+            for (int way = 0; way < 4; way++)
+                arrays(&functions[j], way / 2, way % 2, &stream);
 }
 
 int main(void)

@@ -57,6 +57,7 @@ static void print_side_by_side(const struct unit *u, FILE *out)
     print_part(kind, part[0], PRECISION_DOUBLE, &w, out);
     print_part(kind, "side_correct", PRECISION_FLOAT, &w, out);
     print_part(kind, part[1], PRECISION_FLOAT, &w, out);
+    print_part(kind, "side_last", PRECISION_DOUBLE, &w, out);
     print_part(kind, part[2], PRECISION_DOUBLE, &w, out);
     print_part(kind, "side_run", PRECISION_DOUBLE, &w, out);
     words_clear(&w);
@@ -67,7 +68,7 @@ void arrays_print_helpers(const struct unit *u, FILE *out)
     const bool patch = promise_kind_of(u) == PROMISE_PATCH;
     lines_print_kind(u, promise_answers(u), "ARRAYS",
                      patch                ? (const char *const[]){"arrays", NULL}
-                     : is_side_by_side(u) ? (const char *const[]){"arrays", "over", NULL}
+                     : is_side_by_side(u) ? (const char *const[]){"arrays", NULL}
                                           : (const char *const[]){"arrays", "arrays_checked", "over", NULL},
                      out);
     if (patch)

@@ -7,5 +7,5 @@
  * NAME_n:   calls NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, NODE_NAMES;
  *           xi and eta must overlap nothing else.
  * NAME_checked_n:  calls NAME for n pairs, each with its status; if that is < 0, xi, eta and gap are meaningless.
- * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  Values that depend only
- *           on the segment are computed once.  nodes are its vectors, x the three columns of the slave nodes. */
+ * NAME_over_n:  does the same for n slave nodes over a segment, if corners may have any order.  nodes are its vectors,
+ *           x the three columns of the slave nodes. */

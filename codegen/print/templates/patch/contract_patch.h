@@ -8,6 +8,6 @@
  * -ffast-math nothing is proved. The banner of each function states the share of samples for which OK or OUTSIDE is
  * proved. NAME_at and NAME_n prove nothing.
  *
- * NAME_checked_n and NAME_over_n search 16 pairs side by side, and repeat those without proof by NAME. Their answers
+ * NAME_checked_n and NAME_over_n search pairs side by side, and repeat those without proof by NAME. Their answers
  * differ from NAME's within the promises. For promises of 1e-3 and more they compute in single precision, with gaps
  * within 1e-6 of the longest edge. */

@@ -1,11 +1,11 @@
 /* The start of steps, for pairs side by side. */
 
-FOOTPOINT_APART void NAME_begin(BLOCK *FOOTPOINT_RESTRICT b)
+FOOTPOINT_PART void NAME_begin_of(BLOCK *FOOTPOINT_RESTRICT b, int lanes)
 {
     const LANE zero = (LANE)footpoint_detail_zero();
     int l, k, i;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         LANE x[9][3];
         FOOTPOINT_UNROLL
         for (i = 0; i < 3; i++) {
@@ -23,4 +23,12 @@ FOOTPOINT_APART void NAME_begin(BLOCK *FOOTPOINT_RESTRICT b)
         }
         (void)NAME_detail(VECTOR_ROWS, zero, &b->p[l], &b->q[l]);
     }
+}
+
+FOOTPOINT_APART void NAME_begin(BLOCK *FOOTPOINT_RESTRICT b)
+{
+    if (b->lanes == 8)
+        NAME_begin_of(b, 8);
+    else
+        NAME_begin_of(b, FOOTPOINT_LANES);
 }

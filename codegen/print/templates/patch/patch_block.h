@@ -2,20 +2,22 @@
 
 /* Vectors x of pairs; edges AB, DC, AD, BC, normals, and xS minus the middle, for the search, in a unit of length in
  * which `size`, the sum of the edges' absolute coordinates, is from 1 to 2; that unit. (p,q): the present point of the
- * search; gap. The highest bit of `doubt` is set if they are not proved. */
+ * search; gap. The highest bit of `doubt` is set if they are not proved. It holds `lanes` pairs, 8 or
+ * FOOTPOINT_LANES: loops of a known length vectorise with -O2, too. */
 typedef struct {
     double x[9][3][FOOTPOINT_LANES], unit[FOOTPOINT_LANES];
     LANE edge[4][3][FOOTPOINT_LANES], normal[4][3][FOOTPOINT_LANES], d[3][FOOTPOINT_LANES];
     LANE size[FOOTPOINT_LANES], p[FOOTPOINT_LANES], q[FOOTPOINT_LANES], gap[FOOTPOINT_LANES];
     LANE_BITS doubt[FOOTPOINT_LANES];
+    int lanes;
 } BLOCK;
 
 /* Computes from x everything that precedes a search. */
-FOOTPOINT_APART void NARROW(BLOCK *FOOTPOINT_RESTRICT b)
+FOOTPOINT_PART void NARROW_of(BLOCK *FOOTPOINT_RESTRICT b, int lanes)
 {
     int l, k, i;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         double x[9][3], edge[4][3], d[3], size, inverse;
         FOOTPOINT_UNROLL
         for (k = 0; k < 9; k++) {
@@ -46,4 +48,12 @@ FOOTPOINT_APART void NARROW(BLOCK *FOOTPOINT_RESTRICT b)
             }
         }
     }
+}
+
+FOOTPOINT_APART void NARROW(BLOCK *FOOTPOINT_RESTRICT b)
+{
+    if (b->lanes == 8)
+        NARROW_of(b, 8);
+    else
+        NARROW_of(b, FOOTPOINT_LANES);
 }

@@ -10,12 +10,13 @@ typedef union {
     REAL v[footpoint_detail_KIND_count][3];
 } footpoint_detail_KIND_one;
 
-FOOTPOINT_APART void footpoint_detail_KIND_shapes(const BLOCK *FOOTPOINT_RESTRICT b,
-                                                  footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void
+footpoint_detail_KIND_shapes_of(const BLOCK *FOOTPOINT_RESTRICT b,
+                                footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t, int lanes)
 {
     int l, k, i;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_KIND_one one;
         footpoint_detail_NET_bent bent[4];
         REAL n[4][3];
@@ -41,6 +42,15 @@ FOOTPOINT_APART void footpoint_detail_KIND_shapes(const BLOCK *FOOTPOINT_RESTRIC
     }
 }
 
+FOOTPOINT_APART void footpoint_detail_KIND_shapes(const BLOCK *FOOTPOINT_RESTRICT b,
+                                                  footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t)
+{
+    if (b->lanes == 8)
+        footpoint_detail_KIND_shapes_of(b, t, 8);
+    else
+        footpoint_detail_KIND_shapes_of(b, t, FOOTPOINT_LANES);
+}
+
 /* Copies the patch of a lane, with xS of another. */
 FOOTPOINT_PART void footpoint_detail_KIND_take(const BLOCK *b, const footpoint_detail_KIND_lanes *t,
                                                int l, footpoint_detail_KIND_one *one)
@@ -57,13 +67,13 @@ FOOTPOINT_PART void footpoint_detail_KIND_take(const BLOCK *b, const footpoint_d
         one->of.net.d[i] = b->d[i][l];
 }
 
-FOOTPOINT_APART void
-footpoint_detail_KIND_bares(BLOCK *FOOTPOINT_RESTRICT b,
-                            const footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void
+footpoint_detail_KIND_bares_of(BLOCK *FOOTPOINT_RESTRICT b,
+                               const footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t, int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_KIND_one one;
         footpoint_detail_KIND_take(b, t, l, &one);
         footpoint_detail_KIND_bare(&one.of, &b->p[l], &b->q[l]);
@@ -71,12 +81,23 @@ footpoint_detail_KIND_bares(BLOCK *FOOTPOINT_RESTRICT b,
 }
 
 FOOTPOINT_APART void
-footpoint_detail_KIND_proofs(BLOCK *FOOTPOINT_RESTRICT b,
-                             const footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t, REAL promise)
+footpoint_detail_KIND_bares(BLOCK *FOOTPOINT_RESTRICT b,
+                            const footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t)
+{
+    if (b->lanes == 8)
+        footpoint_detail_KIND_bares_of(b, t, 8);
+    else
+        footpoint_detail_KIND_bares_of(b, t, FOOTPOINT_LANES);
+}
+
+FOOTPOINT_PART void
+footpoint_detail_KIND_proofs_of(BLOCK *FOOTPOINT_RESTRICT b,
+                                const footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t,
+                                REAL promise, int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < lanes; l++) {
         const REAL p = b->p[l], q = b->q[l], size = b->size[l];
         footpoint_detail_KIND_one one;
         footpoint_detail_local r;
@@ -94,23 +115,36 @@ footpoint_detail_KIND_proofs(BLOCK *FOOTPOINT_RESTRICT b,
     }
 }
 
+FOOTPOINT_APART void
+footpoint_detail_KIND_proofs(BLOCK *FOOTPOINT_RESTRICT b,
+                             const footpoint_detail_KIND_lanes *FOOTPOINT_RESTRICT t, REAL promise)
+{
+    if (b->lanes == 8)
+        footpoint_detail_KIND_proofs_of(b, t, promise, 8);
+    else
+        footpoint_detail_KIND_proofs_of(b, t, promise, FOOTPOINT_LANES);
+}
+
 /* Computes the start of a search. */
 typedef void footpoint_detail_KIND_begin(BLOCK *b);
 
-/* Loads columns of pairs, or of slave nodes, from `first` on; repeats the last to fill the block. */
+/* Loads columns of `count` pairs, or slave nodes, from `first` on; repeats the last to fill the block. */
 FOOTPOINT_PART void footpoint_detail_KIND_load(BLOCK *b, const double *const *column, int begin,
-                                               size_t first, size_t n)
+                                               size_t first, int count)
 {
     int k, l;
     for (k = begin; k < 27; k++) {
         double *const to = b->x[k / 3][k % 3];
         const double *const from = column[k - begin] + first;
-        if (n - first >= FOOTPOINT_LANES)
+        if (count == FOOTPOINT_LANES)
             for (l = 0; l < FOOTPOINT_LANES; l++)
                 to[l] = from[l];
-        else
-            for (l = 0; l < FOOTPOINT_LANES; l++)
-                to[l] = from[(size_t)l < n - first ? (size_t)l : n - first - 1];
+        else {
+            for (l = 0; l < count; l++)
+                to[l] = from[l];
+            for (; l < b->lanes; l++)
+                to[l] = from[count - 1];
+        }
     }
 }
 
@@ -144,7 +178,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_resume(BLOCK *b, footpoint_detail_KIND
                                                  int count, const double *xi, const double *eta)
 {
     int l;
-    for (l = 0; l < FOOTPOINT_LANES; l++) {
+    for (l = 0; l < b->lanes; l++) {
         const int from = l < count ? l : count - 1;
         const REAL x = (REAL)(last->loc[0][l] = xi[from]), y = (REAL)(last->loc[1][l] = eta[from]);
         const int good =
@@ -163,12 +197,12 @@ FOOTPOINT_PART void footpoint_detail_KIND_settle(BLOCK *b, const footpoint_detai
     int l;
     for (; most > 0 && 10.0 * left * left > promise; most--) {
         REAL longest = 0.0;
-        for (l = 0; l < FOOTPOINT_LANES; l++) {
+        for (l = 0; l < b->lanes; l++) {
             p[l] = b->p[l];
             q[l] = b->q[l];
         }
         footpoint_detail_KIND_bares(b, t);
-        for (l = 0; l < FOOTPOINT_LANES; l++)
+        for (l = 0; l < b->lanes; l++)
             longest = footpoint_detail_greater(
                 longest, footpoint_detail_greater(fabs(b->p[l] - p[l]), fabs(b->q[l] - q[l])));
         left = longest * longest * (0.3 * longest + 0.003);
@@ -179,13 +213,27 @@ FOOTPOINT_PART void footpoint_detail_KIND_settle(BLOCK *b, const footpoint_detai
 FOOTPOINT_PART void footpoint_detail_KIND_astray(BLOCK *b, const footpoint_detail_KIND_last *last)
 {
     int l;
-    for (l = 0; l < FOOTPOINT_LANES; l++)
+    for (l = 0; l < b->lanes; l++)
         b->doubt[l] |= footpoint_detail_above(b->p[l] - (REAL)last->loc[0][l], 1.0) |
                        footpoint_detail_above(b->q[l] - (REAL)last->loc[1][l], 1.0);
 }
 
+/* Searches a pair as NAME does; if `tried` is 1, only after its first attempt. */
+FOOTPOINT_PART int footpoint_detail_KIND_alone(ALONE_SEARCH *search, int tried,
+                                               const double *const *row, double promise,
+                                               double loc[2], double *gap)
+{
+    double xi, eta, g;
+    if (tried || search(row, 2, 0.0, &xi, &eta, &g) >> 63)
+        return ALONE_ANSWER(search, row, 4, promise, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
 /* Searches unproved pairs one by one, from the last answers unless `last` is NULL. */
-FOOTPOINT_COLD void footpoint_detail_KIND_mend(ALONE_SEARCH *search, const BLOCK *b,
+FOOTPOINT_COLD void footpoint_detail_KIND_mend(ALONE_SEARCH *search, int tried, const BLOCK *b,
                                                const footpoint_detail_KIND_last *last, int count,
                                                double promise, double *xi, double *eta, double *gap,
                                                int *status)
@@ -199,49 +247,70 @@ FOOTPOINT_COLD void footpoint_detail_KIND_mend(ALONE_SEARCH *search, const BLOCK
                 x[k / 3][k % 3] = b->x[k / 3][k % 3][l];
             for (k = 0; last && k < 2; k++)
                 loc[k] = last->loc[k][l];
-            status[l] = last ? ALONE_FURTHER(search, row, promise, loc, &gap[l])
-                             : ALONE_ANSWER(search, row, 4, promise, loc, &gap[l]);
+            status[l] =
+                last ? ALONE_FURTHER(search, row, promise, loc, &gap[l])
+                     : footpoint_detail_KIND_alone(search, tried, row, promise, loc, &gap[l]);
             xi[l] = loc[0];
             eta[l] = loc[1];
         }
 }
 
+/* Searches side by side, from the start of a search or, if `begin` is NULL, from the last answers. `shared` is 1 if t
+ * has the patch. */
+FOOTPOINT_PART void footpoint_detail_KIND_search(footpoint_detail_KIND_begin *begin, int bare,
+                                                 int shared, BLOCK *b,
+                                                 footpoint_detail_KIND_lanes *t,
+                                                 const footpoint_detail_KIND_last *last,
+                                                 double promise)
+{
+    int k;
+    NARROW(b);
+    if (!shared)
+        footpoint_detail_KIND_shapes(b, t);
+    if (begin) {
+        begin(b);
+        for (k = 0; k < bare; k++)
+            footpoint_detail_KIND_bares(b, t);
+    } else
+        footpoint_detail_KIND_settle(b, t, bare, (REAL)promise);
+    footpoint_detail_KIND_proofs(b, t, (REAL)promise);
+    if (!begin)
+        footpoint_detail_KIND_astray(b, last);
+}
+
 /* Searches n pairs or, unless `segment` is NULL, n slave nodes over one segment; `column` holds their coordinates. It
- * starts with `begin` or, if that is NULL, from the last answers in xi and eta, with at most `bare` steps. */
+ * starts with `begin` or, if that is NULL, from the last answers in xi and eta, with at most `bare` steps. A few pairs are
+ * quicker one by one. */
 FOOTPOINT_APART void footpoint_detail_KIND_run(footpoint_detail_KIND_begin *begin, int bare,
                                                ALONE_SEARCH *search, const double *const *segment,
                                                size_t n, const double *const *column,
                                                double promise, double *xi, double *eta, double *gap,
                                                int *status)
 {
+    const int few = begin ? 4 : 1;
     BLOCK b;
     footpoint_detail_KIND_lanes t;
     footpoint_detail_KIND_last last;
     size_t i;
-    int l, k;
+    int count, l, k;
     for (k = 0; segment && k < 24; k++)
         for (l = 0; l < FOOTPOINT_LANES; l++)
             b.x[k / 3][k % 3][l] = segment[k / 3][k % 3];
-    for (i = 0; i < n; i += FOOTPOINT_LANES) {
-        const int count = n - i < FOOTPOINT_LANES ? (int)(n - i) : FOOTPOINT_LANES;
-        footpoint_detail_KIND_load(&b, column, segment ? 24 : 0, i, n);
-        NARROW(&b);
-        if (i == 0 || !segment)
-            footpoint_detail_KIND_shapes(&b, &t);
-        if (begin) {
-            begin(&b);
-            for (k = 0; k < bare; k++)
-                footpoint_detail_KIND_bares(&b, &t);
-        } else {
-            footpoint_detail_KIND_resume(&b, &last, count, xi + i, eta + i);
-            footpoint_detail_KIND_settle(&b, &t, bare, (REAL)promise);
-        }
-        footpoint_detail_KIND_proofs(&b, &t, (REAL)promise);
+    for (i = 0; i < n; i += (size_t)count) {
+        REAL_BITS doubt = (REAL_BITS)1 << REAL_TOP;
+        b.lanes = n - i > 8 ? FOOTPOINT_LANES : 8;
+        count = n - i < (size_t)b.lanes ? (int)(n - i) : b.lanes;
+        footpoint_detail_KIND_load(&b, column, segment ? 24 : 0, i, count);
         if (!begin)
-            footpoint_detail_KIND_astray(&b, &last);
-        if (footpoint_detail_KIND_store(&b, count, xi + i, eta + i, gap + i, status + i) >>
-            REAL_TOP)
-            footpoint_detail_KIND_mend(search, &b, begin ? NULL : &last, count, promise, xi + i,
-                                       eta + i, gap + i, status + i);
+            footpoint_detail_KIND_resume(&b, &last, count, xi + i, eta + i);
+        if (count >= few) {
+            footpoint_detail_KIND_search(begin, bare, segment && i > 0, &b, &t, &last, promise);
+            doubt = footpoint_detail_KIND_store(&b, count, xi + i, eta + i, gap + i, status + i);
+        } else
+            for (l = 0; l < count; l++)
+                b.doubt[l] = doubt;
+        if (doubt >> REAL_TOP)
+            footpoint_detail_KIND_mend(search, count >= few, &b, begin ? NULL : &last, count,
+                                       promise, xi + i, eta + i, gap + i, status + i);
     }
 }

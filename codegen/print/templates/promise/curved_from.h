@@ -1,9 +1,8 @@
 /* Curved faces from a near start. */
 
-/* Moves from (*xi,*eta) to the foot point and computes the gap there, by a Newton step and up to `stages` tested steps,
- * 1 in a loop over arrays. The highest bit of the result is not set if a minimum of the distance is proved to lie
- * within promise of the answer, see footpoint_detail_KIND_step(), and the answer is at most half of the face from the
- * start. */
+/* Moves from (*xi,*eta) to the foot point and computes the gap there, by a Newton step and up to `stages` tested steps.
+ * The highest bit of the result is not set if a minimum of the distance is proved to lie within promise of the answer,
+ * see footpoint_detail_KIND_step(), and the answer is at most half of the face from the start. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL promise, REAL least,
                                                     int stages, REAL *xi, REAL *eta, REAL *gap)
 {
@@ -13,9 +12,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_from(const REAL *const *x, REAL p
     REAL_BITS doubt;
     footpoint_detail_KIND_expand(x, &of);
     footpoint_detail_KIND_bare(&of, &p, &q);
-    if (stages == 1 && promise < 1e-6)
-        footpoint_detail_KIND_bare(&of, &p, &q);
-    if (stages > 1 && footpoint_detail_infinite(p + q) >> REAL_TOP) {
+    if (footpoint_detail_infinite(p + q) >> REAL_TOP) {
         *xi = *eta = *gap = p + q;
         return (REAL_BITS)1 << REAL_TOP; /* compilers' maxima of NaN raise exceptions */
     }

@@ -23,7 +23,8 @@ FOOTPOINT_LOOP void NAME_from_n(size_t n, const REAL *const x[COORDINATES],
                                 REAL *FOOTPOINT_RESTRICT xi, REAL *FOOTPOINT_RESTRICT eta,
                                 REAL *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_KIND_from_n(NAME, 0, NULL, n, x, PROMISE, LEAST_SIZE, xi, eta, gap, status);
+    footpoint_detail_KIND_from_n(NAME, NAME_from, NULL, n, x, PROMISE, LEAST_SIZE, xi, eta, gap,
+                                 status);
 }
 
 FOOTPOINT_LOOP void NAME_from_over_n(const REAL *const nodes[SEGMENT_VECTORS], size_t n,
@@ -31,5 +32,6 @@ FOOTPOINT_LOOP void NAME_from_over_n(const REAL *const nodes[SEGMENT_VECTORS], s
                                      REAL *FOOTPOINT_RESTRICT eta, REAL *FOOTPOINT_RESTRICT gap,
                                      int *FOOTPOINT_RESTRICT status)
 {
-    footpoint_detail_KIND_from_n(NAME, 1, nodes, n, x, PROMISE, LEAST_SIZE, xi, eta, gap, status);
+    footpoint_detail_KIND_from_n(NAME, NAME_from, nodes, n, x, PROMISE, LEAST_SIZE, xi, eta, gap,
+                                 status);
 }

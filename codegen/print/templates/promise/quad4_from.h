@@ -141,13 +141,12 @@ FOOTPOINT_APART REAL_BITS footpoint_detail_quad4_stages(const footpoint_detail_q
     return (REAL_BITS)1 << REAL_TOP;
 }
 
-/* Moves from (*xi,*eta) to the foot point and computes the gap there; stages: 1 in a loop over arrays, 2 from the end
- * of such a step, otherwise 3. The highest bit of the result is not set if a minimum of the distance is proved to lie
- * within `promise` of the answer, which is at most 2/3 away. Any start is allowed, also NaN.
+/* Moves from (*xi,*eta) to the foot point and computes the gap there; stages: 2 from the end of such steps, otherwise
+ * 3. The highest bit of the result is not set if a minimum of the distance is proved to lie within `promise` of the
+ * answer, which is at most 2/3 away. Any start is allowed, also NaN.
  *
  * Newton's step and a correction through the same matrix are proved together, with one quotient. Fine promises take a
- * step before, except from nearby, because they would need many corrections through the first matrix. If moves are
- * large, that costs a loop over arrays less than a full repetition.
+ * step before, except from nearby, because they would need many corrections through the first matrix.
  *
  * Let F be the slopes and M a matrix near H^-1. Then z + M F(z) contracts by q = |1 - M H(z)|. Consider the ball about
  * the point of M in which q <= h <= 0.2. It holds the iterates, and no zero of det H. It also holds a root within (q
@@ -197,7 +196,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL 
     } else
         e.square = 2.0 * footpoint_detail_dot(w, w) + 24.0 * size;
     (void)least;
-    if (stages > 1 && footpoint_detail_infinite(r.uu * r.vv - r.r12 * r.r12) >> REAL_TOP) {
+    if (footpoint_detail_infinite(r.uu * r.vv - r.r12 * r.r12) >> REAL_TOP) {
         *gap = 0.0;
         return (REAL_BITS)1 << REAL_TOP; /* compilers' maxima raise exceptions on NaN */
     }
@@ -205,30 +204,21 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_from(const REAL *const *x, REAL 
     footpoint_detail_cross(u, c, by_s);
     footpoint_detail_cross(c, v, by_t);
     mixed = footpoint_detail_dot(c, n);
-    if (stages != 2 && promise < (stages > 1 ? 1e-6 : 1e-4)) {
+    if (stages != 2 && promise < 1e-6) {
         const REAL per = 1.0 / (r.uu * r.vv - r.r12 * r.r12);
         footpoint_detail_quad4_near at;
-        REAL before, ds, dt;
+        REAL before;
         (void)footpoint_detail_quad4_adjoin(&r, r.f, r.g, &s, &t);
         s *= per;
         t *= per;
-        if (fine && stages == 1) {
-            footpoint_detail_quad4_slopes(&r, s, t, &ds, &dt);
-            (void)footpoint_detail_quad4_adjoin(&r, ds, dt, &ds, &dt);
-            s += ds * per;
-            t += dt * per;
-        }
         before = footpoint_detail_greater(fabs(s), fabs(t));
         at = footpoint_detail_quad4_moved(&r, s, t);
-        doubt = footpoint_detail_quad4_stage(&r, &at, &e, promise,
-                                             fine || (stages == 1 && promise < 1e-6),
-                                             stages > 1 && !fine, before, &s, &t);
+        doubt = footpoint_detail_quad4_stage(&r, &at, &e, promise, fine, !fine, before, &s, &t);
     } else {
         s = t = 0.0;
-        doubt =
-            footpoint_detail_quad4_stage(&r, &r, &e, promise, 1, stages > 1 ? 2 : 0, 0.0, &s, &t);
+        doubt = footpoint_detail_quad4_stage(&r, &r, &e, promise, 1, 2, 0.0, &s, &t);
     }
-    if (stages > 1 && !fine && doubt >> REAL_TOP) {
+    if (!fine && doubt >> REAL_TOP) {
         const footpoint_detail_quad4_near start = r;
         const footpoint_detail_quad4_scales scales = e;
         REAL to_s = s, to_t = t;

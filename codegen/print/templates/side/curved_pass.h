@@ -1,12 +1,15 @@
 /* Steps on curved faces side by side. */
 
-/* Takes as many steps as the promise needs, or `more` from their end, and proves the last. Gaps precede the last
- * correction, which changes them by its square. */
-FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise, int more)
+/* Takes as many steps as the promise needs, `from` the last answers if it is 1, or `more` from their end, and proves the
+ * last. Gaps precede the last correction, which changes them by its square. */
+FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise, int from, int more)
 {
     if (!more) {
         footpoint_detail_LANES_KIND_side_round(t);
-        footpoint_detail_LANES_KIND_side_begin(t);
+        if (from)
+            footpoint_detail_KIND_side_resume(t);
+        else
+            footpoint_detail_LANES_KIND_side_begin(t);
     }
     footpoint_detail_LANES_KIND_side_newton(t);
     if (more || promise < 0.99e-2)

@@ -7,12 +7,12 @@ typedef union {
 } footpoint_detail_KIND_side_rounded;
 
 /* Rounds terms in the unit of length, 0 if that is NaN. Sets `range` if the unit is out of range. */
-FOOTPOINT_APART void footpoint_detail_KIND_side_round(BLOCK *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_KIND_side_round_of(BLOCK *FOOTPOINT_RESTRICT t, int lanes)
 {
     enum { TERMS = sizeof t->narrow / sizeof *t->narrow[0] };
     int l, k;
     FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++) {
+    for (l = 0; l < lanes; l++) {
         REAL length = 0.0;
         union {
             REAL_BITS bits;
@@ -29,6 +29,14 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_round(BLOCK *FOOTPOINT_RESTRICT 
         t->range[l] = footpoint_detail_bits(length - 1e-25) | footpoint_detail_bits(1e30 - length) |
                       footpoint_detail_fast();
     }
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_round(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_KIND_side_round_of(t, 8);
+    else
+        footpoint_detail_KIND_side_round_of(t, SIDE);
 }
 
 FOOTPOINT_PART void footpoint_detail_KIND_side_load(const BLOCK *t, int l,
@@ -57,11 +65,11 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_side_kept(REAL p)
     return at.number;
 }
 
-FOOTPOINT_APART void footpoint_detail_KIND_side_begin(BLOCK *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_KIND_side_begin_of(BLOCK *FOOTPOINT_RESTRICT t, int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_KIND_side_rounded face;
         REAL p, q;
         footpoint_detail_KIND_side_load(t, l, &face);
@@ -71,11 +79,19 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_begin(BLOCK *FOOTPOINT_RESTRICT 
     }
 }
 
-FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT t)
+FOOTPOINT_APART void footpoint_detail_KIND_side_begin(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_KIND_side_begin_of(t, 8);
+    else
+        footpoint_detail_KIND_side_begin_of(t, SIDE);
+}
+
+FOOTPOINT_PART void footpoint_detail_KIND_side_newton_of(BLOCK *FOOTPOINT_RESTRICT t, int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_KIND_side_rounded face;
         REAL p = t->p[l], q = t->q[l];
         footpoint_detail_KIND_side_load(t, l, &face);
@@ -83,6 +99,14 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT
         t->p[l] = footpoint_detail_KIND_side_kept(p);
         t->q[l] = footpoint_detail_KIND_side_kept(q);
     }
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_KIND_side_newton_of(t, 8);
+    else
+        footpoint_detail_KIND_side_newton_of(t, SIDE);
 }
 
 /* Takes a Newton step from (p,q), and computes there the values that prove corrections.
@@ -117,12 +141,12 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT
  * A step turns the normal u x v by at most (r_1 a_2 + r_2 a_1) step, rounding by less than a quarter of tiny (r_1 +
  * r_2). `flat` ensures that each of three steps does so by less than a third of its length, whose square is off by
  * 8 u |u|^2 |v|^2, less than a twentieth of 1e-5 |u|^2 |v|^2. So no tangents of an answer are parallel. */
-FOOTPOINT_APART void footpoint_detail_KIND_side_prove(BLOCK *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_KIND_side_prove_of(BLOCK *FOOTPOINT_RESTRICT t, int lanes)
 {
     const REAL unit = REAL_UNIT, ball = 0.25;
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++) {
+    for (l = 0; l < lanes; l++) {
         const REAL p = t->p[l], q = t->q[l], x = fabs(p) + 0.13, y = fabs(q) + 0.13;
         footpoint_detail_KIND_side_rounded face;
         footpoint_detail_local r;
@@ -188,4 +212,12 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_prove(BLOCK *FOOTPOINT_RESTRICT 
                       footpoint_detail_bits(30.0 - footpoint_detail_KIND_side_greater(x, y)) |
                       t->range[l];
     }
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_prove(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_KIND_side_prove_of(t, 8);
+    else
+        footpoint_detail_KIND_side_prove_of(t, SIDE);
 }

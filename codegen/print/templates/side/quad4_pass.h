@@ -1,10 +1,14 @@
 /* Steps on four-node faces side by side. */
 
-/* Takes as many steps as the promise needs, or `more` from their end, and proves the last. */
-FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise, int more)
+/* Takes as many steps as the promise needs, `from` the last answers if it is 1, or `more` from their end, and proves the
+ * last. */
+FOOTPOINT_PART void footpoint_detail_KIND_side_steps(BLOCK *t, double promise, int from, int more)
 {
     footpoint_detail_LANES_KIND_side_products(t);
-    if (!more) {
+    if (!more && from) {
+        footpoint_detail_KIND_side_resume(t);
+        footpoint_detail_LANES_KIND_side_newton(t);
+    } else if (!more) {
         footpoint_detail_LANES_KIND_side_begin(t);
         footpoint_detail_LANES_KIND_side_gauss(t);
     }

@@ -1,11 +1,11 @@
 /* Pairs of four-node faces and slave nodes side by side: the part in single precision. */
 
 /* Computes products. Sets doubt if the unit of length is out of range. */
-FOOTPOINT_APART void footpoint_detail_KIND_side_products(BLOCK *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_KIND_side_products_of(BLOCK *FOOTPOINT_RESTRICT t, int lanes)
 {
     int l, i, k;
     FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++) {
+    for (l = 0; l < lanes; l++) {
         REAL a[4][3], size, per;
         union {
             REAL_BITS bits;
@@ -41,6 +41,14 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_products(BLOCK *FOOTPOINT_RESTRI
     }
 }
 
+FOOTPOINT_APART void footpoint_detail_KIND_side_products(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_KIND_side_products_of(t, 8);
+    else
+        footpoint_detail_KIND_side_products_of(t, SIDE);
+}
+
 /* Holds values at (p,q): products e, tu = r_xi . c, tv = r_eta . c, y = r_xi . r_eta - a . b, and the Hessian [r11 r12;
  * r12 r22] of half the squared distance. */
 typedef struct {
@@ -65,11 +73,11 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_visit(const BLOCK *t, int l,
 }
 
 /* Starts at the projection of the slave node on the parallelogram of the mid-lines, corrected for c to first order. */
-FOOTPOINT_APART void footpoint_detail_KIND_side_begin(BLOCK *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_KIND_side_begin_of(BLOCK *FOOTPOINT_RESTRICT t, int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++) {
+    for (l = 0; l < lanes; l++) {
         const REAL aa = t->product[0][l], ab = t->product[1][l], bb = t->product[2][l];
         const REAL ac = t->product[3][l], bc = t->product[4][l], ad = t->product[6][l];
         const REAL bd = t->product[7][l], per = 1.0 / (aa * bb - ab * ab);
@@ -77,6 +85,14 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_begin(BLOCK *FOOTPOINT_RESTRICT 
         t->p[l] = p - (bb * ac - ab * bc) * pq;
         t->q[l] = q - (aa * bc - ab * ac) * pq;
     }
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_begin(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_KIND_side_begin_of(t, 8);
+    else
+        footpoint_detail_KIND_side_begin_of(t, SIDE);
 }
 
 /* Returns 1 / det, or 0 if |det| is small beside `all`: a step across nearly parallel tangents would lead so far outside that
@@ -93,11 +109,12 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_side_per(REAL det, REAL all)
 }
 
 /* Takes a Gauss-Newton step or a Newton step. */
-FOOTPOINT_PART void footpoint_detail_KIND_side_step(BLOCK *FOOTPOINT_RESTRICT t, int gauss)
+FOOTPOINT_PART void footpoint_detail_KIND_side_step(BLOCK *FOOTPOINT_RESTRICT t, int gauss,
+                                                    int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_KIND_side_bend h;
         REAL r12, z, f, g, per, all;
         footpoint_detail_KIND_side_visit(t, l, &h);
@@ -114,12 +131,18 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_step(BLOCK *FOOTPOINT_RESTRICT t,
 
 FOOTPOINT_APART void footpoint_detail_KIND_side_gauss(BLOCK *FOOTPOINT_RESTRICT t)
 {
-    footpoint_detail_KIND_side_step(t, 1);
+    if (t->lanes == 8)
+        footpoint_detail_KIND_side_step(t, 1, 8);
+    else
+        footpoint_detail_KIND_side_step(t, 1, SIDE);
 }
 
 FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT t)
 {
-    footpoint_detail_KIND_side_step(t, 0);
+    if (t->lanes == 8)
+        footpoint_detail_KIND_side_step(t, 0, 8);
+    else
+        footpoint_detail_KIND_side_step(t, 0, SIDE);
 }
 
 /* Computes at (p,q) values that prove corrections, and F = (f,g) in single precision if `rough`.
@@ -141,11 +164,12 @@ FOOTPOINT_APART void footpoint_detail_KIND_side_newton(BLOCK *FOOTPOINT_RESTRICT
  * `turn` and `off` then prove nothing if |c| exceeds about 5e4 U, and what is left fits into the slack of 14 and 22.  Where F is
  * in double, `off` counts |c| itself.  If tiny numbers are flushed to zero, coordinates lose 1.2e-38, so the face must be 1e-25 long.
  * A correction turns the normal u x v by at most |c| (U + V) step, which is less than a third of its length each time. */
-FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t, int rough)
+FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t, int rough,
+                                                     int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++) {
+    for (l = 0; l < lanes; l++) {
         footpoint_detail_KIND_side_bend h;
         REAL x, y, r12, det, per, a, b, c, d, U, V, T, W, bend, off, row, column;
         footpoint_detail_KIND_side_visit(t, l, &h);
@@ -202,25 +226,42 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_bound(BLOCK *FOOTPOINT_RESTRICT t
     }
 }
 
-FOOTPOINT_APART void footpoint_detail_KIND_side_bounds(BLOCK *FOOTPOINT_RESTRICT t)
+FOOTPOINT_PART void footpoint_detail_KIND_side_bounds_of(BLOCK *FOOTPOINT_RESTRICT t, int lanes)
 {
     int l;
-    footpoint_detail_KIND_side_bound(t, 0);
+    footpoint_detail_KIND_side_bound(t, 0, lanes);
     FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++) {
+    for (l = 0; l < lanes; l++) {
         t->xi[l] = (double)t->p[l];
         t->eta[l] = (double)t->q[l];
     }
 }
 
-FOOTPOINT_APART void footpoint_detail_KIND_side_rough(BLOCK *FOOTPOINT_RESTRICT t, REAL promise)
+FOOTPOINT_APART void footpoint_detail_KIND_side_bounds(BLOCK *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_KIND_side_bounds_of(t, 8);
+    else
+        footpoint_detail_KIND_side_bounds_of(t, SIDE);
+}
+
+FOOTPOINT_PART void footpoint_detail_KIND_side_rough_of(BLOCK *FOOTPOINT_RESTRICT t, REAL promise,
+                                                        int lanes)
 {
     int l;
-    footpoint_detail_KIND_side_bound(t, 1);
+    footpoint_detail_KIND_side_bound(t, 1, lanes);
     FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++) {
+    for (l = 0; l < lanes; l++) {
         t->xi[l] = (double)t->p[l];
         t->eta[l] = (double)t->q[l];
         footpoint_detail_KIND_side_correct(t, l, t->slope[0][l], t->slope[1][l], promise);
     }
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_rough(BLOCK *FOOTPOINT_RESTRICT t, REAL promise)
+{
+    if (t->lanes == 8)
+        footpoint_detail_KIND_side_rough_of(t, promise, 8);
+    else
+        footpoint_detail_KIND_side_rough_of(t, promise, SIDE);
 }

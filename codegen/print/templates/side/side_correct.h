@@ -31,11 +31,20 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_correct(BLOCK *FOOTPOINT_RESTRICT
     t->wide[l] = footpoint_detail_bits(room) | footpoint_detail_infinite(room);
 }
 
-FOOTPOINT_APART void footpoint_detail_KIND_side_corrections(BLOCK *FOOTPOINT_RESTRICT t,
-                                                            REAL promise)
+FOOTPOINT_PART void footpoint_detail_KIND_side_corrections_of(BLOCK *FOOTPOINT_RESTRICT t,
+                                                              REAL promise, int lanes)
 {
     int l;
     FOOTPOINT_EACH
-    for (l = 0; l < SIDE; l++)
+    for (l = 0; l < lanes; l++)
         footpoint_detail_KIND_side_correct(t, l, (REAL)t->f[l], (REAL)t->g[l], promise);
+}
+
+FOOTPOINT_APART void footpoint_detail_KIND_side_corrections(BLOCK *FOOTPOINT_RESTRICT t,
+                                                            REAL promise)
+{
+    if (t->lanes == 8)
+        footpoint_detail_KIND_side_corrections_of(t, promise, 8);
+    else
+        footpoint_detail_KIND_side_corrections_of(t, promise, SIDE);
 }
