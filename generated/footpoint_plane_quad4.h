@@ -1430,6 +1430,22 @@ FOOTPOINT_PART float footpoint_detail_f_quad4_side_greater(float a, float b)
     return most.number;
 }
 
+/* Returns a coordinate, or 31 with its sign, too far for a proof, if it is larger: steps that run away do not overflow.
+ * Compares bits, so that NaN raises nothing. */
+FOOTPOINT_PART float footpoint_detail_f_quad4_side_kept(float p)
+{
+    union {
+        unsigned int bits;
+        float number;
+    } at;
+    unsigned int size;
+    at.number = p;
+    size = at.bits & 0x7fffffffu;
+    at.bits ^= size;
+    at.bits |= size < 0x41f80000u ? size : 0x41f80000u;
+    return at.number;
+}
+
 /* Moves the answer by A (f,g).  See footpoint_detail_f_quad4_side_bound. */
 FOOTPOINT_PART void footpoint_detail_f_quad4_side_correct(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t, int l,
                                                           float f,
@@ -1743,19 +1759,77 @@ FOOTPOINT_APART void footpoint_detail_f_quad4_side_rough(footpoint_detail_quad4_
 }
 #endif
 
+#ifndef FOOTPOINT_QUAD4_QUAD4_REIN_F
+#define FOOTPOINT_QUAD4_QUAD4_REIN_F
+/* Holds back steps from last answers, which may run away. */
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_rein_of(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                          int lanes)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < lanes; l++) {
+        t->p[l] = footpoint_detail_f_quad4_side_kept(t->p[l]);
+        t->q[l] = footpoint_detail_f_quad4_side_kept(t->q[l]);
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_rein(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_f_quad4_side_rein_of(t, 8);
+    else
+        footpoint_detail_f_quad4_side_rein_of(t, footpoint_detail_quad4_side);
+}
+
+/* Returns a number, or 0 if the highest bit of `doubt` is set. */
+FOOTPOINT_PART float footpoint_detail_f_quad4_side_unless(unsigned int doubt, float x)
+{
+    union {
+        unsigned int bits;
+        float number;
+    } kept;
+    kept.number = x;
+    kept.bits &= (doubt >> 31) - 1u;
+    return kept.number;
+}
+
+/* Holds back the corrections of pairs in doubt. */
+FOOTPOINT_PART void footpoint_detail_f_quad4_side_stop_of(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
+                                                          int lanes)
+{
+    int l;
+    FOOTPOINT_EACH
+    for (l = 0; l < lanes; l++) {
+        const unsigned int doubt = t->doubt[l];
+        t->a11[l] = footpoint_detail_f_quad4_side_unless(doubt, t->a11[l]);
+        t->a12[l] = footpoint_detail_f_quad4_side_unless(doubt, t->a12[l]);
+        t->a22[l] = footpoint_detail_f_quad4_side_unless(doubt, t->a22[l]);
+        t->off[l] = footpoint_detail_f_quad4_side_unless(doubt, t->off[l]);
+        t->most[l] = footpoint_detail_f_quad4_side_unless(doubt, t->most[l]);
+        t->turn[l] = footpoint_detail_f_quad4_side_unless(doubt, t->turn[l]);
+    }
+}
+
+FOOTPOINT_APART void footpoint_detail_f_quad4_side_stop(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t)
+{
+    if (t->lanes == 8)
+        footpoint_detail_f_quad4_side_stop_of(t, 8);
+    else
+        footpoint_detail_f_quad4_side_stop_of(t, footpoint_detail_quad4_side);
+}
+#endif
+
 #ifndef FOOTPOINT_QUAD4_SIDE_LAST
 #define FOOTPOINT_QUAD4_SIDE_LAST
-/* Returns a coordinate, or 31, too far for a proof, if it is larger or NaN. */
+/* Returns a coordinate, or 0, the middle, if it is larger than 31 or NaN. */
 FOOTPOINT_PART double footpoint_detail_quad4_side_near(double p)
 {
-    const unsigned long long far = 0 - (footpoint_detail_above(p, 31.0) >> 63);
     union {
         double number;
         unsigned long long bits;
-    } at, most;
+    } at;
     at.number = p;
-    most.number = 31.0;
-    at.bits = (at.bits & ~far) | (most.bits & far);
+    at.bits &= (footpoint_detail_above(p, 31.0) >> 63) - 1;
     return at.number;
 }
 
@@ -1774,7 +1848,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_side_keep(footpoint_detail_quad4_bloc
     }
 }
 
-/* Begins at the last answers. */
+/* Begins at the last answers, or in the middle. */
 FOOTPOINT_PART void footpoint_detail_quad4_side_resume_of(footpoint_detail_quad4_block *FOOTPOINT_RESTRICT t,
                                                           int lanes)
 {
@@ -1828,6 +1902,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_side_steps(footpoint_detail_quad4_blo
     if (!more && from) {
         footpoint_detail_quad4_side_resume(t);
         footpoint_detail_f_quad4_side_newton(t);
+        footpoint_detail_f_quad4_side_rein(t);
     } else if (!more) {
         footpoint_detail_f_quad4_side_begin(t);
         footpoint_detail_f_quad4_side_gauss(t);
@@ -1838,10 +1913,16 @@ FOOTPOINT_PART void footpoint_detail_quad4_side_steps(footpoint_detail_quad4_blo
         return;
     }
     footpoint_detail_f_quad4_side_newton(t);
+    if (from)
+        footpoint_detail_f_quad4_side_rein(t);
     footpoint_detail_f_quad4_side_bounds(t);
+    if (from)
+        footpoint_detail_f_quad4_side_stop(t);
     if (more || promise < 0.99e-7) {
         footpoint_detail_quad4_side_slopes(t);
         footpoint_detail_f_quad4_side_corrections(t, (float)promise);
+        if (from)
+            footpoint_detail_f_quad4_side_stop(t);
     }
     footpoint_detail_quad4_side_slopes_and_gaps(t);
     footpoint_detail_f_quad4_side_corrections(t, (float)promise);

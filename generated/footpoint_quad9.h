@@ -1453,6 +1453,22 @@ FOOTPOINT_PART float footpoint_detail_f_quad9_side_greater(float a, float b)
     return most.number;
 }
 
+/* Returns a coordinate, or 31 with its sign, too far for a proof, if it is larger: steps that run away do not overflow.
+ * Compares bits, so that NaN raises nothing. */
+FOOTPOINT_PART float footpoint_detail_f_quad9_side_kept(float p)
+{
+    union {
+        unsigned int bits;
+        float number;
+    } at;
+    unsigned int size;
+    at.number = p;
+    size = at.bits & 0x7fffffffu;
+    at.bits ^= size;
+    at.bits |= size < 0x41f80000u ? size : 0x41f80000u;
+    return at.number;
+}
+
 /* Moves the answer by A (f,g).  See footpoint_detail_f_quad9_side_bound. */
 FOOTPOINT_PART void footpoint_detail_f_quad9_side_correct(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t, int l,
                                                           float f,
@@ -1541,22 +1557,6 @@ FOOTPOINT_PART void footpoint_detail_f_quad9_side_load(const footpoint_detail_qu
     FOOTPOINT_WHOLE
     for (k = 0; k < TERMS; k++)
         face->number[k] = t->narrow[k / 3][k % 3][l];
-}
-
-/* Returns a coordinate, or 31 with its sign, too far for a proof, if it is larger: steps that run away do not overflow.
- * Compares bits, so that NaN raises nothing. */
-FOOTPOINT_PART float footpoint_detail_f_quad9_side_kept(float p)
-{
-    union {
-        unsigned int bits;
-        float number;
-    } at;
-    unsigned int size;
-    at.number = p;
-    size = at.bits & 0x7fffffffu;
-    at.bits ^= size;
-    at.bits |= size < 0x41f80000u ? size : 0x41f80000u;
-    return at.number;
 }
 
 FOOTPOINT_PART void footpoint_detail_f_quad9_side_begin_of(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
@@ -1722,17 +1722,15 @@ FOOTPOINT_APART void footpoint_detail_f_quad9_side_prove(footpoint_detail_quad9_
 
 #ifndef FOOTPOINT_QUAD9_SIDE_LAST
 #define FOOTPOINT_QUAD9_SIDE_LAST
-/* Returns a coordinate, or 31, too far for a proof, if it is larger or NaN. */
+/* Returns a coordinate, or 0, the middle, if it is larger than 31 or NaN. */
 FOOTPOINT_PART double footpoint_detail_quad9_side_near(double p)
 {
-    const unsigned long long far = 0 - (footpoint_detail_above(p, 31.0) >> 63);
     union {
         double number;
         unsigned long long bits;
-    } at, most;
+    } at;
     at.number = p;
-    most.number = 31.0;
-    at.bits = (at.bits & ~far) | (most.bits & far);
+    at.bits &= (footpoint_detail_above(p, 31.0) >> 63) - 1;
     return at.number;
 }
 
@@ -1751,7 +1749,7 @@ FOOTPOINT_PART void footpoint_detail_quad9_side_keep(footpoint_detail_quad9_bloc
     }
 }
 
-/* Begins at the last answers. */
+/* Begins at the last answers, or in the middle. */
 FOOTPOINT_PART void footpoint_detail_quad9_side_resume_of(footpoint_detail_quad9_block *FOOTPOINT_RESTRICT t,
                                                           int lanes)
 {

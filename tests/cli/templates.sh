@@ -56,7 +56,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
         gregory) files="$files patch_gregory patch_expand patch_newton patch_proof patch_repair patch_from" ;;
         esac
         case $kind in
-        quad4) files="$files arrays side_root:over quad4_block:double side_correct:double quad4_side:double side_last:double quad4_pass:double side_run:arrays_checked" ;;
+        quad4) files="$files arrays side_root:over quad4_block:double side_correct:double quad4_side:double quad4_rein:double side_last:double quad4_pass:double side_run:arrays_checked" ;;
         tri6 | quad8 | quad9) files="$files arrays side_root:over curved_block:double side_correct:double curved_side:double side_last:double curved_pass:double side_run:arrays_checked" ;;
         *) files="$files arrays arrays_checked over" ;;
         esac

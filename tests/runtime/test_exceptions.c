@@ -277,6 +277,37 @@ static void sound_functions_raise_nothing(void **state)
                 expect_quiet(f, (enum family)family, sizes[i]);
 }
 
+/* Over arrays, steps from last answers that run away raise nothing: on two warped faces, from a point of the face and
+ * from NaN. */
+static void last_answers_raise_nothing(void **state)
+{
+    static const double warped[2][17] = {
+        {0.61635044592138599, 4.3748542843299445, 4.6130996984559118, 1.0998162459293561, -1.5047118771638119,
+         -3.3631382500045728, -0.57794707030576742, -1.220655428417518, -1.9287885551246127, -1.1382196215449747,
+         2.056841226383324, 3.4652950349735088, 0.66342213832624874, -1.4021416899856056, -2.5815582430470672,
+         -0.84581624489737983, -0.49077827863309609},
+        {-1.6843962103265309, -0.0099976965614381186, 1.5885060021463753, 2.7577978290447596, 0.293227634540141,
+         1.5606357993207451, 1.4080593024407004, 1.6775475517009861, 1.5885060021463753, -2.4814609211589289,
+         1.9807728828025652, 1.5606357993207451, 0.54258311219177124, 0.27405972998712824, 1.6258046279763025, NAN,
+         0.45499641649098232}};
+    (void)state;
+    for (int f = 0; f < 2; f++) {
+        double many[17][ALIKE - 1], gap[ALIKE - 1];
+        const double *column[15];
+        int status[ALIKE - 1];
+        for (int i = 0; i < 17; i++)
+            for (int k = 0; k < ALIKE - 1; k++)
+                many[i][k] = warped[f][i];
+        for (int i = 0; i < 15; i++)
+            column[i] = many[i];
+        feclearexcept(FE_ALL_EXCEPT);
+        (f ? footpoint_quad4_full_from_n : footpoint_quad4_precise_from_n)(ALIKE - 1, column, many[15], many[16], gap,
+                                                                           status);
+        assert_false(fetestexcept(TRAPPED));
+        assert_int_equal(status[0], FOOTPOINT_OK);
+    }
+}
+
 /* With traps on, calls between held environments do not stop the program, and flags stay unchanged. */
 static void held_environments_keep_traps_off(void **state)
 {
@@ -346,9 +377,8 @@ static void denormal_numbers_do_not_matter(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ordinary_faces_raise_nothing),
-        cmocka_unit_test(sound_functions_raise_nothing),
-        cmocka_unit_test(held_environments_keep_traps_off),
+        cmocka_unit_test(ordinary_faces_raise_nothing),   cmocka_unit_test(sound_functions_raise_nothing),
+        cmocka_unit_test(last_answers_raise_nothing),     cmocka_unit_test(held_environments_keep_traps_off),
         cmocka_unit_test(denormal_numbers_do_not_matter),
     };
     return cmocka_run_group_tests_name("exceptions", tests, NULL, NULL);

@@ -57,6 +57,8 @@ static void print_side_by_side(const struct unit *u, FILE *out)
     print_part(kind, part[0], PRECISION_DOUBLE, &w, out);
     print_part(kind, "side_correct", PRECISION_FLOAT, &w, out);
     print_part(kind, part[1], PRECISION_FLOAT, &w, out);
+    if (!curved)
+        print_part(kind, "quad4_rein", PRECISION_FLOAT, &w, out);
     print_part(kind, "side_last", PRECISION_DOUBLE, &w, out);
     print_part(kind, part[2], PRECISION_DOUBLE, &w, out);
     print_part(kind, "side_run", PRECISION_DOUBLE, &w, out);

@@ -49,22 +49,6 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_load(const BLOCK *t, int l,
         face->number[k] = t->narrow[k / 3][k % 3][l];
 }
 
-/* Returns a coordinate, or 31 with its sign, too far for a proof, if it is larger: steps that run away do not overflow.
- * Compares bits, so that NaN raises nothing. */
-FOOTPOINT_PART REAL footpoint_detail_KIND_side_kept(REAL p)
-{
-    union {
-        REAL_BITS bits;
-        REAL number;
-    } at;
-    REAL_BITS size;
-    at.number = p;
-    size = at.bits & 0x7fffffffu;
-    at.bits ^= size;
-    at.bits |= size < 0x41f80000u ? size : 0x41f80000u;
-    return at.number;
-}
-
 FOOTPOINT_PART void footpoint_detail_KIND_side_begin_of(BLOCK *FOOTPOINT_RESTRICT t, int lanes)
 {
     int l;

@@ -13,6 +13,22 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_side_greater(REAL a, REAL b)
     return most.number;
 }
 
+/* Returns a coordinate, or 31 with its sign, too far for a proof, if it is larger: steps that run away do not overflow.
+ * Compares bits, so that NaN raises nothing. */
+FOOTPOINT_PART REAL footpoint_detail_KIND_side_kept(REAL p)
+{
+    union {
+        REAL_BITS bits;
+        REAL number;
+    } at;
+    REAL_BITS size;
+    at.number = p;
+    size = at.bits & 0x7fffffffu;
+    at.bits ^= size;
+    at.bits |= size < 0x41f80000u ? size : 0x41f80000u;
+    return at.number;
+}
+
 /* Moves the answer by A (f,g).  See footpoint_detail_KIND_side_bound. */
 FOOTPOINT_PART void footpoint_detail_KIND_side_correct(BLOCK *FOOTPOINT_RESTRICT t, int l, REAL f,
                                                        REAL g, REAL promise)

@@ -1,16 +1,14 @@
 /* Pairs of faces and slave nodes side by side, from the last answers. */
 
-/* Returns a coordinate, or 31, too far for a proof, if it is larger or NaN. */
+/* Returns a coordinate, or 0, the middle, if it is larger than 31 or NaN. */
 FOOTPOINT_PART double footpoint_detail_KIND_side_near(double p)
 {
-    const unsigned long long far = 0 - (footpoint_detail_above(p, 31.0) >> 63);
     union {
         double number;
         unsigned long long bits;
-    } at, most;
+    } at;
     at.number = p;
-    most.number = 31.0;
-    at.bits = (at.bits & ~far) | (most.bits & far);
+    at.bits &= (footpoint_detail_above(p, 31.0) >> 63) - 1;
     return at.number;
 }
 
@@ -29,7 +27,7 @@ FOOTPOINT_PART void footpoint_detail_KIND_side_keep(BLOCK *t, int count, const d
     }
 }
 
-/* Begins at the last answers. */
+/* Begins at the last answers, or in the middle. */
 FOOTPOINT_PART void footpoint_detail_KIND_side_resume_of(BLOCK *FOOTPOINT_RESTRICT t, int lanes)
 {
     const double middle = footpoint_detail_KIND_middle();
