@@ -1,6 +1,7 @@
 /* Checks searches on patches from the last answer. If they return FOOTPOINT_OK or FOOTPOINT_OUTSIDE, a minimum of the
  * distance must lie within NAME_PROMISE; they must return one of these if NAME does. Starts are off by 1e-6 to 10
- * patches, or are no numbers; in calls, in arrays and over one patch. With FOOTPOINT_LONG a million calls. */
+ * patches, or are no numbers; in calls, in arrays of any length and over one patch. Arrays are searched from scratch,
+ * too. With FOOTPOINT_LONG a million calls. */
 #include "../../generated/footpoint_bezier.h"
 #include "../../generated/footpoint_gregory.h"
 #include "../../generated/footpoint_paper_gregory.h"
