@@ -25,6 +25,7 @@
  * the worst that were met at random points and uphill from these (sampled), and bounds within 100 times that
  * (proved); heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it,
  * worst errors also by climbing from the worst hundred samples where this is said.
+ * at_heldout: the same of NAME_at, if it takes steps on the patch instead.
  */
 #ifndef FOOTPOINT_PAPER_GREGORY_H
 #define FOOTPOINT_PAPER_GREGORY_H
@@ -1006,6 +1007,14 @@ FOOTPOINT_PART double footpoint_detail_gregory_proof_ball(double step)
     return 1.5 * step + 1e-6;
 }
 
+/* Leaves a step as it is, without third derivatives. */
+FOOTPOINT_PART void footpoint_detail_gregory_bend(const footpoint_detail_gregory_terms *of, double p,
+                                                  double q, const footpoint_detail_local *l,
+                                                  const footpoint_detail_newton *n, double h[2])
+{
+    (void)of, (void)p, (void)q, (void)l, (void)n, (void)h;
+}
+
 /* Computes the edges AB, DC, AD and BC, and d. */
 FOOTPOINT_PART void footpoint_detail_gregory_edges(double x[9][4], footpoint_detail_net_bent bent[4],
                                                    footpoint_detail_net *t)
@@ -1192,6 +1201,32 @@ FOOTPOINT_PART unsigned long long footpoint_detail_gregory_step(const footpoint_
     footpoint_detail_newton_of(r, &n);
     doubt = footpoint_detail_gregory_root(of, r, &n, ball, *p, *q, 0, &error);
     return doubt | footpoint_detail_gregory_keeps(*p + n.s, *q + n.t, error, promise, p, q);
+}
+
+/* Takes up to `most` of Chebyshev's steps from (*xi,*eta), clamped to the patch, without proof, until one is below
+ * `small`. All but the first count third derivatives. */
+FOOTPOINT_APART void footpoint_detail_gregory_bare_steps(const double *const *x, int most, double small,
+                                                         double *xi, double *eta)
+{
+    footpoint_detail_gregory_terms of;
+    double p, q;
+    footpoint_detail_gregory_expand(x, &of);
+    p = *xi;
+    q = *eta;
+    footpoint_detail_gregory_bare(&of, xi, eta);
+    while (--most && fabs(*xi - p) + fabs(*eta - q) > small) {
+        footpoint_detail_local r;
+        footpoint_detail_newton n;
+        double h[2];
+        p = *xi;
+        q = *eta;
+        footpoint_detail_gregory_local(&of, p, q, &r);
+        footpoint_detail_newton_of(&r, &n);
+        footpoint_detail_gregory_chebyshev(&r, &n, h);
+        footpoint_detail_gregory_bend(&of, p, q, &r, &n, h);
+        *xi = footpoint_detail_gregory_kept(p + h[0]);
+        *eta = footpoint_detail_gregory_kept(q + h[1]);
+    }
 }
 
 /* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step, or the next two inside
@@ -5066,7 +5101,8 @@ FOOTPOINT_PART int footpoint_detail_gregory_proved_closest_of(footpoint_detail_n
  * distance to the closed patch, from which the distance falls beyond the border. Both hold for any normals of length 1,
  * rounding errors included. FOOTPOINT_UNPROVED: the steps found no proof, and loc and gap are where they ended; under
  * -ffast-math nothing is proved. The banner of each function states the share of samples for which OK or OUTSIDE is
- * proved. NAME_at and NAME_n prove nothing.
+ * proved. NAME_at and NAME_n prove nothing. NAME_at may take steps on the patch, which NAME_n does not: their errors are
+ * apart in the banner.
  *
  * NAME_checked_n and NAME_over_n search pairs side by side, and repeat those without proof by NAME. Their answers
  * differ from NAME's within the promises. For promises of 1e-3 and more they compute in single precision, with gaps

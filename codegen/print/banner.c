@@ -159,6 +159,8 @@ static void print_legend(const struct unit *u, FILE *out)
           "it,\n"
           " * worst errors also by climbing from the worst hundred samples where this is said.\n",
           out);
+    if (u->file->segment && *u->file->segment->normals && !single)
+        fputs(" * at_heldout: the same of NAME_at, if it takes steps on the patch instead.\n", out);
     if (single && !measured)
         fputs(" * heldout... are those of the same code in double.\n", out);
 }

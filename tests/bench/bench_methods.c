@@ -76,6 +76,18 @@
     }
 #define DEFINE_METHOD_OF(name, search) DEFINE_SCALAR_OF(name, search) DEFINE_BATCH_OF(name, search)
 
+/* Patches, whose NAME_n is another search than their NAME_at. */
+#define DEFINE_PATCH(name, search, search_n)                                                                           \
+    DEFINE_SCALAR_OF(name, search)                                                                                     \
+    BATCH_FN(name)                                                                                                     \
+    {                                                                                                                  \
+        const double *x[3 * BENCH_VECTORS];                                                                            \
+        (void)t;                                                                                                       \
+        for (int k = 0; k < 3 * BENCH_VECTORS; k++)                                                                    \
+            x[k] = b->x[k];                                                                                            \
+        search_n(BENCH_BLOCK, x, b->xi, b->eta);                                                                       \
+    }
+
 #define DEFINE_CONVERGED_OF(kind, vectors)                                                                             \
     static inline void found_##kind##_newton(const double(*x)[3], double *xi, double *eta)                             \
     {                                                                                                                  \
@@ -155,8 +167,10 @@ DEFINE_LANES(newton_previous, NEWTON_LANES_GIVEN, RIVAL_NEWTON_TOLERANCE)
 #define METHOD_tri6 METHOD_OF
 #define METHOD_quad8 METHOD_OF
 #define METHOD_quad9 METHOD_OF
-#define METHOD_gregory METHOD_OF
-#define METHOD_bezier METHOD_OF
+#define METHOD_PATCH(kind, name)                                                                                       \
+    DEFINE_PATCH(name, name##_at(NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1]), &xi, &eta), name##_n)
+#define METHOD_gregory METHOD_PATCH
+#define METHOD_bezier METHOD_PATCH
 #define PATCH_FIXED(kind, name, from, start, gauss_newton, newton) DEFINE_METHOD_OF(name, rival_##name(x, &xi, &eta))
 #define PATCH_CONVERGED(kind, name, search) DEFINE_METHOD_OF(name, if ((search) == 0) xi = eta = BENCH_NO_ANSWER)
 #define PATCH_CONVERGING_OF(R, kind, P, is)                                                                            \

@@ -115,16 +115,17 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
             echo "int face_search($parameters, REAL loc[2], REAL *distance);"
             echo "int face_along_to($parameters, const REAL along[3], REAL loc[2], REAL *distance);"
         else
-            for word in PROMISE EXACT_PROMISE CURVED PATCH SHARED_GAP OWN_GAP; do echo "#define WITH_$word"; echo "#define END_$word"; done
+            for word in PROMISE EXACT_PROMISE CURVED PATCH SHARED_GAP OWN_GAP WALK; do echo "#define WITH_$word"; echo "#define END_$word"; done
             echo "#define SEARCH_CALL ${kind}_name_detail($(echo "$rows" | sed 's/p/x/g'), zero, xi, eta)"
             echo "#define STATEMENTS *xi = *eta = zero + $(echo "$names" | sed 's/,/[0] +/g')[0];"; echo '#define DENOMINATORS 0'
             printf '#define %s\n' "VECTOR_STATEMENTS const REAL *const a = x0, *const b = x1, *const c = x2, *const d = x3; (void)c; (void)x$others;" 'SIZE 1' \
                 'PRODUCT_LIST 1, 0, 1' 'RATIO 1' 'PER 1' 'UNIT 1' 'UNITS 23' 'OVER 1' 'TWIST 1' 'STEPS 2' 'SCALED_ROWS y[0], y[1], y[2], y[3], y[4]' "START_detail_prove ${kind}_start" \
-                "EXACT_prove ${kind}_exact" "START_detail_approach ${kind}_approach" "START_detail ${kind}_name_detail" "ONCE_detail ${kind}_name_detail" 'ONCE_STEPS 2'
+                "EXACT_prove ${kind}_exact" "START_detail_approach ${kind}_approach" "START_detail ${kind}_name_detail" "ONCE_detail ${kind}_name_detail" 'ONCE_STEPS 2' \
+                "WALKED_detail ${kind}_name_detail" 'WALK_STEPS 2' 'WALK_SMALL 1'
             words="$words VECTOR_STATEMENTS SIZE PRODUCT_LIST RATIO PER UNIT UNITS OVER TWIST SCALED_ROWS"
-            words="$words SEARCH_CALL STATEMENTS DENOMINATORS EXACT_prove WITH_EXACT_PROMISE END_EXACT_PROMISE START_detail START_detail_prove START_detail_approach STEPS ONCE_detail ONCE_STEPS WITH_PROMISE END_PROMISE WITH_CURVED END_CURVED WITH_PATCH END_PATCH WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP"
+            words="$words SEARCH_CALL STATEMENTS DENOMINATORS EXACT_prove WITH_EXACT_PROMISE END_EXACT_PROMISE START_detail START_detail_prove START_detail_approach STEPS ONCE_detail ONCE_STEPS WITH_PROMISE END_PROMISE WITH_CURVED END_CURVED WITH_PATCH END_PATCH WITH_SHARED_GAP END_SHARED_GAP WITH_OWN_GAP END_OWN_GAP WALKED_detail WALK_STEPS WALK_SMALL WITH_WALK END_WALK"
             echo "REAL_BITS ${kind}_start($parameters, REAL promise, int fixed, REAL *xi, REAL *eta, REAL *gap);"
-            case $kind in bezier | gregory) ;; *) echo "REAL_BITS footpoint_detail_${kind}_patch(const REAL *const *x, REAL promise, int bare, int near, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
+            case $kind in bezier | gregory) ;; *) echo "REAL_BITS footpoint_detail_${kind}_patch(const REAL *const *x, REAL promise, int bare, int near, REAL least, REAL *xi, REAL *eta, REAL *gap);" && echo "void footpoint_detail_${kind}_bare_steps(const REAL *const *x, int most, REAL small, REAL *xi, REAL *eta);" ;; esac
             echo "void ${kind}_run(const void *begin, int bare, footpoint_detail_search *search, const REAL *const *segment, size_t n, const REAL *const *x, REAL promise, REAL *xi, REAL *eta, REAL *gap, int *status);"
             case $kind in
             quad4 | tri6 | quad8 | quad9) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' 'LANE_TOP REAL_TOP' "BLOCK footpoint_detail_${kind}_block" "SIDE footpoint_detail_${kind}_side" ;;

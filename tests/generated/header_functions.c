@@ -18,7 +18,7 @@
 
 const struct header_function header_functions[HEADER_FUNCTIONS] = {
 #define METHOD(scene, kind, name, mul, div, add, sqrt, promise)                                                        \
-    {scene, #kind, #name, promise, at_##name, locate_##name, name##_checked_n},
+    {scene, #kind, #name, promise, at_##name, name##_n, locate_##name, name##_checked_n},
 #include "methods.inc"
 #undef METHOD
 };

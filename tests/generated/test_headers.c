@@ -33,6 +33,22 @@ static void at_sample(const struct header_function *m, const struct sample *s, d
     m->at(x, s->xs, &loc[0], &loc[1]);
 }
 
+/* Computes the genome of a method: NAME_at, of patches NAME_n, as NAME_at takes steps of its own there. */
+static void genome_at_sample(const struct header_function *m, const struct sample *s, double loc[2])
+{
+    const struct segment_kind *kind = segment_find(m->kind);
+    const double *x[3 * (SEGMENT_VECTORS + 1)];
+    const size_t vectors = segment_vectors(kind);
+    if (!*kind->normals) {
+        at_sample(m, s, loc);
+        return;
+    }
+    for (size_t k = 0; k <= vectors; k++)
+        for (size_t i = 0; i < 3; i++)
+            x[3 * k + i] = k < vectors ? &s->x[k][i] : &s->xs[i];
+    m->n(1, x, &loc[0], &loc[1]);
+}
+
 /* Returns the genome of a method of scene file `f`: function footpoint_<scene>_<genome>, with _ for - in the scene's
  * name. */
 static const struct genome *find_genome(const struct genome_file *f, const struct header_function *m)
@@ -68,26 +84,69 @@ static void check_note(const struct genome *g, const char *key, int k, size_t sa
             fail_msg("%s %s: the banner says %g, measured %g", g->name, key, stated[i], measured[i]);
 }
 
-static void measure(const struct header_function *m, const struct genome *g, const struct sample_set *set,
-                    const char *part)
+/* Computes the errors of xi and eta of a search on all samples. */
+static void find_errors(const struct header_function *m,
+                        void (*search)(const struct header_function *m, const struct sample *s, double loc[2]),
+                        const struct sample_set *set, struct error_stats of[2])
 {
     double *error[2];
-    char key[60];
     for (int k = 0; k < 2; k++)
         error[k] = calloc(set->n, sizeof **error);
     for (size_t i = 0; i < set->n; i++) {
         const struct sample *s = &set->s[i];
         double loc[2];
-        at_sample(m, s, loc);
+        search(m, s, loc);
         error[0][i] = fabs(loc[0] - s->xi);
         error[1][i] = fabs(loc[1] - s->eta);
     }
     for (int k = 0; k < 2; k++) {
-        const struct error_stats e = error_stats_of(error[k], set->n);
-        snprintf(key, sizeof key, "%s_both", part);
-        check_note(g, key, k, set->n, &e);
+        of[k] = error_stats_of(error[k], set->n);
         free(error[k]);
     }
+}
+
+static void measure(const struct header_function *m, const struct genome *g, const struct sample_set *set,
+                    const char *part)
+{
+    struct error_stats e[2];
+    char key[60];
+    find_errors(m, genome_at_sample, set, e);
+    for (int k = 0; k < 2; k++) {
+        snprintf(key, sizeof key, "%s_both", part);
+        check_note(g, key, k, set->n, &e[k]);
+    }
+}
+
+/* Checks the figures of NAME_at of a patch, which are a note of their own where it takes steps. */
+static void check_steps(const struct header_function *m, const struct genome *g, const struct sample_set *set)
+{
+    const char *text = genome_find_note(g->note, g->notes, "at_heldout");
+    struct error_stats e[2];
+    double mean[2], p99[2], max[2];
+    size_t n = set->n;
+    find_errors(m, at_sample, set, e);
+    const bool reads = text && sscanf(text, "xi %lf %lf %lf, eta %lf %lf %lf, of %zu samples", &mean[0], &p99[0],
+                                      &max[0], &mean[1], &p99[1], &max[1], &n) == 7;
+    for (int k = 0; k < 2; k++)
+        if (!reads ||
+            (n == set->n &&
+             !(fabs(e[k].mean - mean[k]) <= 2e-3 * mean[k] + 1e-14 &&
+               fabs(e[k].p99 - p99[k]) <= 2e-3 * p99[k] + 1e-14 && fabs(e[k].max - max[k]) <= 1e-2 * max[k] + 1e-14)) ||
+            !(e[k].max <= 1.01 * max[k] + 1e-14 && e[k].p99 <= 1.25 * p99[k] + 1e-14))
+            fail_msg("%s, note of steps: at_heldout xi %.3e %.3e %.3e, eta %.3e %.3e %.3e, of %zu samples", m->name,
+                     e[0].mean, e[0].p99, e[0].max, e[1].mean, e[1].p99, e[1].max, set->n);
+}
+
+/* Returns true if NAME_at takes steps: its answer is not the genome's. */
+static bool takes_steps(const struct header_function *m, const struct sample_set *set)
+{
+    double loc[2], bred[2], most = 0;
+    for (size_t i = 0; i < set->n && i < COMPARED; i++) {
+        at_sample(m, &set->s[i], loc);
+        genome_at_sample(m, &set->s[i], bred);
+        most = fmax(most, fmax(fabs(loc[0] - bred[0]), fabs(loc[1] - bred[1])));
+    }
+    return most > ROUNDING;
 }
 
 /* Checks the share of samples that the checked function of a patch proves against its genome's note; roughly, if not
@@ -129,7 +188,7 @@ static void compare_with_genome(const struct header_function *m, const struct ge
             table_values(&table, f->constant, g->out[k].gene, g->out[k].length, value[k]);
         for (size_t i = 0; i < rows; i++) {
             double loc[2];
-            at_sample(m, &set->s[from + i], loc);
+            genome_at_sample(m, &set->s[from + i], loc);
             for (int k = 0; k < 2; k++)
                 if (!(fabs(loc[k] - value[k][i]) <= ROUNDING * fmax(1, value[k][i] * value[k][i])))
                     fail_msg("%s, sample %zu: code %a, genome %a", m->name, from + i, loc[k], value[k][i]);
@@ -302,6 +361,8 @@ static void check_scene(const char *name)
                 measure(&header_functions[i], g, &set, heldout_part[p].name);
             if (off && *scene->segment->normals)
                 check_share(&header_functions[i], g, &set, heldout_part[p].name);
+            if (off && measured && takes_steps(&header_functions[i], &set))
+                check_steps(&header_functions[i], g, &set);
             compare_with_genome(&header_functions[i], f, g, &set);
             if (off && scene->order == CORNERS_ANY)
                 check_some(&header_functions[i], scene->segment, &set);

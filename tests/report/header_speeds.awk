@@ -68,9 +68,10 @@ function derivatives() {
 function patch(name,    f) {
     f = "footpoint_" scene "_" name
     if (!(f in operations)) return
-    print "| `_" name "` | " short(mean[name]) " | " short(climbed[name]) " | " both(f, "scalar") " | " both(f, "batch") " | " \
+    print "| `_" name "` | " both_errors(mean[name], at_mean[name]) " | " both_errors(climbed[name], at_worst[name]) " | " both(f, "scalar") " | " both(f, "batch") " | " \
         short(promise[f], "%.0e") " | " proved(f, "scalar") " | " proved(f, "batch") " |"
 }
+function both_errors(arrays, at) { return short(arrays) (at == "" ? "" : " (" short(at) ")") }
 function proved(f, mode) {
     return ratio("checked " (scene == "bezier" ? "bezier_" : "") "patch_newton_checked " mode, "checked " f "_checked " mode)
 }

@@ -15,6 +15,10 @@ FILENAME ~ /\.gen$/ {
         worst[genome] = $12
         climbed[genome] = $14 == "climbing" ? $15 : $12
     }
+    if (/^note at_heldout /) {
+        at_mean[genome] = $4
+        at_worst[genome] = $6 + 0
+    }
     next
 }
 /^# / { machine++; machines = machines (machines == "" ? "" : "; ") substr($0, 3); next }

@@ -37,9 +37,12 @@ const struct function *promise_start(const struct unit *u, const struct function
 /** Returns true if the checked function of any genome, on patches its loop over arrays, starts with f. */
 bool promise_starts(const struct unit *u, const struct function *f);
 
+/** Returns true if NAME_at takes steps on the patch from another function's xi and eta, and is not the genome. */
+bool promise_walks(const struct unit *u, const struct function *f);
+
 /** Returns lines_words() with KIND from promise_answers(), and PROMISE: the macro, or 0.0, in float -1.0; START: the
  *  function that starts NAME; STEPS: its steps in loops over arrays. For patches STEPS is of calls; ONCE and ONCE_STEPS
- *  are of loops and closest points, whose first proof must succeed. */
+ *  are of loops and closest points, whose first proof must succeed, WALKED and WALK_STEPS of NAME_at. */
 struct words promise_words(const struct unit *u, const struct function *f);
 
 /** Prints NAME_detail_prove if functions start with f. It takes steps from the xi and eta of f and computes their proof

@@ -132,6 +132,7 @@ void search_print(const struct unit *u, const struct function *f, FILE *out)
                                    {"CURVED", promise == PROMISE_CURVED, NULL},
                                    {"PATCH", promise == PROMISE_PATCH, NULL},
                                    {"EXACT_PROMISE", promise == PROMISE_LINEAR || promise == PROMISE_BOX, NULL},
+                                   {"WALK", promise_walks(u, f), NULL},
                                    {"SHARED_GAP", shares, NULL},
                                    {"OWN_GAP", !steps && !shares, NULL},
                                    {NULL, 0, NULL}};
@@ -139,7 +140,7 @@ void search_print(const struct unit *u, const struct function *f, FILE *out)
     struct words w = promise_words(u, f);
     words_add(&w, "SEARCH_CALL", call_text(u, f));
     promise_define(u, f, out);
-    templates_print_blocks("at", u->options.precision, w.word, NULL, out);
+    templates_print_blocks("at", u->options.precision, w.word, blocks, out);
     if (shares)
         gap_print(u, f, out);
     templates_print(NULL, (const char *const[]){ordering(u), NULL}, u->options.precision, w.word, out);

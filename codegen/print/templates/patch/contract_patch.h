@@ -6,7 +6,8 @@
  * distance to the closed patch, from which the distance falls beyond the border. Both hold for any normals of length 1,
  * rounding errors included. FOOTPOINT_UNPROVED: the steps found no proof, and loc and gap are where they ended; under
  * -ffast-math nothing is proved. The banner of each function states the share of samples for which OK or OUTSIDE is
- * proved. NAME_at and NAME_n prove nothing.
+ * proved. NAME_at and NAME_n prove nothing. NAME_at may take steps on the patch, which NAME_n does not: their errors are
+ * apart in the banner.
  *
  * NAME_checked_n and NAME_over_n search pairs side by side, and repeat those without proof by NAME. Their answers
  * differ from NAME's within the promises. For promises of 1e-3 and more they compute in single precision, with gaps

@@ -259,3 +259,11 @@ FOOTPOINT_PART REAL footpoint_detail_gregory_proof_ball(REAL step)
 {
     return 1.5 * step + 1e-6;
 }
+
+/* Leaves a step as it is, without third derivatives. */
+FOOTPOINT_PART void footpoint_detail_gregory_bend(const footpoint_detail_gregory_terms *of, REAL p,
+                                                  REAL q, const footpoint_detail_local *l,
+                                                  const footpoint_detail_newton *n, REAL h[2])
+{
+    (void)of, (void)p, (void)q, (void)l, (void)n, (void)h;
+}

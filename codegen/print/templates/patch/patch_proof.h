@@ -106,6 +106,32 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_step(const footpoint_detail_KIND_
     return doubt | footpoint_detail_KIND_keeps(*p + n.s, *q + n.t, error, promise, p, q);
 }
 
+/* Takes up to `most` of Chebyshev's steps from (*xi,*eta), clamped to the patch, without proof, until one is below
+ * `small`. All but the first count third derivatives. */
+FOOTPOINT_APART void footpoint_detail_KIND_bare_steps(const REAL *const *x, int most, REAL small,
+                                                      REAL *xi, REAL *eta)
+{
+    footpoint_detail_KIND_terms of;
+    REAL p, q;
+    footpoint_detail_KIND_expand(x, &of);
+    p = *xi;
+    q = *eta;
+    footpoint_detail_KIND_bare(&of, xi, eta);
+    while (--most && fabs(*xi - p) + fabs(*eta - q) > small) {
+        footpoint_detail_local r;
+        footpoint_detail_newton n;
+        REAL h[2];
+        p = *xi;
+        q = *eta;
+        footpoint_detail_KIND_local(&of, p, q, &r);
+        footpoint_detail_newton_of(&r, &n);
+        footpoint_detail_KIND_chebyshev(&r, &n, h);
+        footpoint_detail_KIND_bend(&of, p, q, &r, &n, h);
+        *xi = footpoint_detail_KIND_kept(p + h[0]);
+        *eta = footpoint_detail_KIND_kept(q + h[1]);
+    }
+}
+
 /* Computes xi, eta and the gap (9) from the end of a search, by `bare` steps and a proved step, or the next two inside
  * the patch if their steps are short. If the last step is short (`near`), the gap and its normal follow from the values
  * before it, to its second order. */
