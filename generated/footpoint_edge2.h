@@ -183,14 +183,51 @@ FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
     return (unsigned long long)FOOTPOINT_LOOSE << 63;
 }
 
-/* Returns the greater number; a comparison with NaN raises no exception. */
-FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+/* Compares numbers; NaN raises no exception. */
+FOOTPOINT_PART int footpoint_detail_exceeds(double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(a, b) ? a : b;
+    return __builtin_isgreater(a, b);
 #else
-    return a > b ? a : b;
+    return a > b;
 #endif
+}
+
+/* Returns 1 if loops over pairs are worth masks: compilers have vectors of numbers and of their bits. */
+FOOTPOINT_PART int footpoint_detail_masks(void)
+{
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(FOOTPOINT_DEVICE)
+    return sizeof(double) == sizeof(double);
+#else
+    return 0;
+#endif
+}
+
+/* Returns a or b. masked = 1: by a mask of bits, in loops of which compilers would otherwise make branches. */
+FOOTPOINT_PART double footpoint_detail_choose(int masked, int first, double a, double b)
+{
+    union {
+        double number;
+        unsigned long long bits;
+    } x, y;
+    const unsigned long long mask = (unsigned long long)0 - (unsigned long long)first;
+    if (!masked)
+        return first ? a : b;
+    x.number = a;
+    y.number = b;
+    x.bits = (x.bits & mask) | (y.bits & ~mask);
+    return x.number;
+}
+
+/* Returns the greater number. */
+FOOTPOINT_PART double footpoint_detail_greater_of(int masked, double a, double b)
+{
+    return footpoint_detail_choose(masked, footpoint_detail_exceeds(a, b), a, b);
+}
+
+FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+{
+    return footpoint_detail_exceeds(a, b) ? a : b;
 }
 
 /* Returns the sum of the absolute values. */

@@ -391,14 +391,51 @@ FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
     return (unsigned long long)FOOTPOINT_LOOSE << 63;
 }
 
-/* Returns the greater number; a comparison with NaN raises no exception. */
-FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+/* Compares numbers; NaN raises no exception. */
+FOOTPOINT_PART int footpoint_detail_exceeds(double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(a, b) ? a : b;
+    return __builtin_isgreater(a, b);
 #else
-    return a > b ? a : b;
+    return a > b;
 #endif
+}
+
+/* Returns 1 if loops over pairs are worth masks: compilers have vectors of numbers and of their bits. */
+FOOTPOINT_PART int footpoint_detail_masks(void)
+{
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(FOOTPOINT_DEVICE)
+    return sizeof(double) == sizeof(double);
+#else
+    return 0;
+#endif
+}
+
+/* Returns a or b. masked = 1: by a mask of bits, in loops of which compilers would otherwise make branches. */
+FOOTPOINT_PART double footpoint_detail_choose(int masked, int first, double a, double b)
+{
+    union {
+        double number;
+        unsigned long long bits;
+    } x, y;
+    const unsigned long long mask = (unsigned long long)0 - (unsigned long long)first;
+    if (!masked)
+        return first ? a : b;
+    x.number = a;
+    y.number = b;
+    x.bits = (x.bits & mask) | (y.bits & ~mask);
+    return x.number;
+}
+
+/* Returns the greater number. */
+FOOTPOINT_PART double footpoint_detail_greater_of(int masked, double a, double b)
+{
+    return footpoint_detail_choose(masked, footpoint_detail_exceeds(a, b), a, b);
+}
+
+FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+{
+    return footpoint_detail_exceeds(a, b) ? a : b;
 }
 
 /* Returns the sum of the absolute values. */
@@ -437,7 +474,7 @@ typedef struct {
     const double *const *x;
     const double *a, *b, *c, *d;
     double over, size, rounding;
-    int twist;
+    int twist, masked;
 } footpoint_detail_quad4_vectors;
 
 /* Values at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and for each coordinate the sum of the absolute
@@ -590,16 +627,16 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double produ
     const double f = (products[6] - p * u) - q * z, g = (products[7] - q * v) - p * z;
     const double per = 1.0 / (uu * vv - r12 * r12);
     const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
-    const double step = footpoint_detail_greater(fabs(s), fabs(t));
-    const double beta = (footpoint_detail_greater(fabs(uu), fabs(vv)) + mixed) * per;
+    const double step = footpoint_detail_greater_of(r->masked, fabs(s), fabs(t));
+    const double beta = (footpoint_detail_greater_of(r->masked, fabs(uu), fabs(vv)) + mixed) * per;
     const double rounding = r->rounding - 4.0 * 1.12e-16; /* k + 6 */
     double off, left = step * (1.0 / 3.0), h, room, other;
     if (promise < 1e-9) {
         double off_f, off_g;
         footpoint_detail_quad4_off(products, r, rounding, fabs(p) + 6.0 * step,
                                    fabs(q) + 6.0 * step, &off_f, &off_g);
-        off =
-            per * footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+        off = per * footpoint_detail_greater_of(r->masked, vv * off_f + mixed * off_g,
+                                                uu * off_g + mixed * off_f);
     } else
         off = beta * rounding *
               (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
@@ -611,7 +648,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double produ
         const double m = t * ((2.0 * tu * s + tv * t) + both * t);
         const double n = s * ((2.0 * tv * t + tu * s) + both * t);
         const double x = h12 * n - (vv * per) * m, y = h12 * m - (uu * per) * n;
-        left = footpoint_detail_greater(fabs(x), fabs(y));
+        left = footpoint_detail_greater_of(r->masked, fabs(x), fabs(y));
         *xi += x;
         *eta += y;
     }

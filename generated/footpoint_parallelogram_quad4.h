@@ -390,14 +390,51 @@ FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
     return (unsigned long long)FOOTPOINT_LOOSE << 63;
 }
 
-/* Returns the greater number; a comparison with NaN raises no exception. */
-FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+/* Compares numbers; NaN raises no exception. */
+FOOTPOINT_PART int footpoint_detail_exceeds(double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(a, b) ? a : b;
+    return __builtin_isgreater(a, b);
 #else
-    return a > b ? a : b;
+    return a > b;
 #endif
+}
+
+/* Returns 1 if loops over pairs are worth masks: compilers have vectors of numbers and of their bits. */
+FOOTPOINT_PART int footpoint_detail_masks(void)
+{
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(FOOTPOINT_DEVICE)
+    return sizeof(double) == sizeof(double);
+#else
+    return 0;
+#endif
+}
+
+/* Returns a or b. masked = 1: by a mask of bits, in loops of which compilers would otherwise make branches. */
+FOOTPOINT_PART double footpoint_detail_choose(int masked, int first, double a, double b)
+{
+    union {
+        double number;
+        unsigned long long bits;
+    } x, y;
+    const unsigned long long mask = (unsigned long long)0 - (unsigned long long)first;
+    if (!masked)
+        return first ? a : b;
+    x.number = a;
+    y.number = b;
+    x.bits = (x.bits & mask) | (y.bits & ~mask);
+    return x.number;
+}
+
+/* Returns the greater number. */
+FOOTPOINT_PART double footpoint_detail_greater_of(int masked, double a, double b)
+{
+    return footpoint_detail_choose(masked, footpoint_detail_exceeds(a, b), a, b);
+}
+
+FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+{
+    return footpoint_detail_exceeds(a, b) ? a : b;
 }
 
 /* Returns the sum of the absolute values. */
@@ -436,7 +473,7 @@ typedef struct {
     const double *const *x;
     const double *a, *b, *c, *d;
     double over, size, rounding;
-    int twist;
+    int twist, masked;
 } footpoint_detail_quad4_vectors;
 
 /* Values at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and for each coordinate the sum of the absolute
@@ -589,16 +626,16 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double produ
     const double f = (products[6] - p * u) - q * z, g = (products[7] - q * v) - p * z;
     const double per = 1.0 / (uu * vv - r12 * r12);
     const double s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
-    const double step = footpoint_detail_greater(fabs(s), fabs(t));
-    const double beta = (footpoint_detail_greater(fabs(uu), fabs(vv)) + mixed) * per;
+    const double step = footpoint_detail_greater_of(r->masked, fabs(s), fabs(t));
+    const double beta = (footpoint_detail_greater_of(r->masked, fabs(uu), fabs(vv)) + mixed) * per;
     const double rounding = r->rounding - 4.0 * 1.12e-16; /* k + 6 */
     double off, left = step * (1.0 / 3.0), h, room, other;
     if (promise < 1e-9) {
         double off_f, off_g;
         footpoint_detail_quad4_off(products, r, rounding, fabs(p) + 6.0 * step,
                                    fabs(q) + 6.0 * step, &off_f, &off_g);
-        off =
-            per * footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+        off = per * footpoint_detail_greater_of(r->masked, vv * off_f + mixed * off_g,
+                                                uu * off_g + mixed * off_f);
     } else
         off = beta * rounding *
               (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
@@ -610,7 +647,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_step(const double produ
         const double m = t * ((2.0 * tu * s + tv * t) + both * t);
         const double n = s * ((2.0 * tv * t + tu * s) + both * t);
         const double x = h12 * n - (vv * per) * m, y = h12 * m - (uu * per) * n;
-        left = footpoint_detail_greater(fabs(x), fabs(y));
+        left = footpoint_detail_greater_of(r->masked, fabs(x), fabs(y));
         *xi += x;
         *eta += y;
     }
@@ -1236,14 +1273,51 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
     return (unsigned int)FOOTPOINT_LOOSE << 31;
 }
 
-/* Returns the greater number; a comparison with NaN raises no exception. */
-FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
+/* Compares numbers; NaN raises no exception. */
+FOOTPOINT_PART int footpoint_detail_f_exceeds(float a, float b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(a, b) ? a : b;
+    return __builtin_isgreater(a, b);
 #else
-    return a > b ? a : b;
+    return a > b;
 #endif
+}
+
+/* Returns 1 if loops over pairs are worth masks: compilers have vectors of numbers and of their bits. */
+FOOTPOINT_PART int footpoint_detail_f_masks(void)
+{
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(FOOTPOINT_DEVICE)
+    return sizeof(float) == sizeof(double);
+#else
+    return 0;
+#endif
+}
+
+/* Returns a or b. masked = 1: by a mask of bits, in loops of which compilers would otherwise make branches. */
+FOOTPOINT_PART float footpoint_detail_f_choose(int masked, int first, float a, float b)
+{
+    union {
+        float number;
+        unsigned int bits;
+    } x, y;
+    const unsigned int mask = (unsigned int)0 - (unsigned int)first;
+    if (!masked)
+        return first ? a : b;
+    x.number = a;
+    y.number = b;
+    x.bits = (x.bits & mask) | (y.bits & ~mask);
+    return x.number;
+}
+
+/* Returns the greater number. */
+FOOTPOINT_PART float footpoint_detail_f_greater_of(int masked, float a, float b)
+{
+    return footpoint_detail_f_choose(masked, footpoint_detail_f_exceeds(a, b), a, b);
+}
+
+FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
+{
+    return footpoint_detail_f_exceeds(a, b) ? a : b;
 }
 
 /* Returns the sum of the absolute values. */
@@ -2313,24 +2387,26 @@ FOOTPOINT_PART void footpoint_detail_triangle_bisect(const double *const *x, dou
     (void)at;
 }
 
-/* Returns a if x > 0, otherwise b. */
+/* Returns a if x > 0, otherwise b. masked: see footpoint_detail_choose. */
+FOOTPOINT_PART double footpoint_detail_pick_of(int masked, double x, double a, double b)
+{
+    return footpoint_detail_choose(masked, footpoint_detail_exceeds(x, 0.0), a, b);
+}
+
 FOOTPOINT_PART double footpoint_detail_pick(double x, double a, double b)
 {
-#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(x, 0.0) ? a : b;
-#else
-    return x > 0.0 ? a : b;
-#endif
+    return footpoint_detail_exceeds(x, 0.0) ? a : b;
 }
 
 /* Returns the lesser number. */
+FOOTPOINT_PART double footpoint_detail_least_of(int masked, double a, double b)
+{
+    return footpoint_detail_choose(masked, footpoint_detail_exceeds(b, a), a, b);
+}
+
 FOOTPOINT_PART double footpoint_detail_least(double a, double b)
 {
-#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(b, a) ? a : b;
-#else
-    return a < b ? a : b;
-#endif
+    return footpoint_detail_exceeds(b, a) ? a : b;
 }
 
 FOOTPOINT_PART double footpoint_detail_length(const double a[3])
@@ -2587,9 +2663,10 @@ FOOTPOINT_COLD int footpoint_detail_quad4_behind_all(size_t n, const double *con
 
 /* The numbers for the proof at (u,v) of r = c0 + xi a + eta b + xi eta c, with a common factor: products of r_xi, r_eta,
  * c and D = xS - r, two letters each: uu = r_xi . r_xi, uc = r_xi . c, ...; slopes f = r_xi . D and g = r_eta . D;
- * and dd = D . D. */
+ * and dd = D . D.  masked: see footpoint_detail_choose. */
 typedef struct {
     double u, v, uu, uv, vv, uc, vc, cc, dc, f, g, dd;
+    int masked;
 } footpoint_detail_quad4_local;
 
 /* Bounds over the whole segment: wide >= |r_xi|^2, high >= |r_eta|^2; rounding errors of slopes, off_f and off_g;
@@ -2600,17 +2677,18 @@ typedef struct {
 
 /* Returns the slope of half the squared distance from an edge of u, of slope f, into the segment; 0 inside.  *falls:
  * the steepest possible fall, f being off by `off`. */
-FOOTPOINT_PART double footpoint_detail_quad4_grows(double u, double f, double off, double *falls)
+FOOTPOINT_PART double footpoint_detail_quad4_grows(int masked, double u, double f, double off, double *falls)
 {
-    const double outward = footpoint_detail_pick(1.0 - fabs(u), -fabs(f), u * f);
-    *falls = footpoint_detail_greater(off - outward, 0.0);
-    return footpoint_detail_greater(outward, 0.0);
+    const double outward = footpoint_detail_pick_of(masked, 1.0 - fabs(u), -fabs(f), u * f);
+    *falls = footpoint_detail_greater_of(masked, off - outward, 0.0);
+    return footpoint_detail_greater_of(masked, outward, 0.0);
 }
 
 /* Returns the largest permitted distance of a point from u: `promise`, and within the region, or 1e-9. */
-FOOTPOINT_PART double footpoint_detail_quad4_reach(double u, double promise)
+FOOTPOINT_PART double footpoint_detail_quad4_reach(int masked, double u, double promise)
 {
-    return footpoint_detail_least(promise, footpoint_detail_greater(1.0 - fabs(u), 1e-9));
+    return footpoint_detail_least_of(
+        masked, promise, footpoint_detail_greater_of(masked, 1.0 - fabs(u), 1e-9));
 }
 
 /* Returns a number Q for footpoint_detail_quad4_sole, from lines below the quadratics; `grows`: the sum of both edges'
@@ -2618,11 +2696,12 @@ FOOTPOINT_PART double footpoint_detail_quad4_reach(double u, double promise)
 FOOTPOINT_PART double footpoint_detail_quad4_least_det(const footpoint_detail_quad4_local *q,
                                                        double grows)
 {
-    const double bent = footpoint_detail_greater(fabs(q->dc) - 0.5 * grows, 0.0);
+    const double bent = footpoint_detail_greater_of(q->masked, fabs(q->dc) - 0.5 * grows, 0.0);
     const double mixed = q->uv - copysign(bent, q->dc), det = q->uu * q->vv - mixed * mixed;
     const double by_t = 2.0 * (q->vv * q->uc - mixed * q->vc);
     const double by_s = 2.0 * (q->uu * q->vc - mixed * q->uc);
-    return det - footpoint_detail_least(fabs(by_t) + by_t * q->v, fabs(by_s) + by_s * q->u);
+    return det -
+           footpoint_detail_least_of(q->masked, fabs(by_t) + by_t * q->v, fabs(by_s) + by_s * q->u);
 }
 
 /* Proves the closest point.  The highest bit of the result is not set if the closest point of the closed segment is proved to lie within
@@ -2649,8 +2728,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_sole(const footpoint_de
 {
     const double det = least_det - (r->off_det + 2.2250738585072014e-308);
     double room, other;
-    room = footpoint_detail_quad4_reach(q->u, promise) * det;
-    other = footpoint_detail_quad4_reach(q->v, promise) * det;
+    room = footpoint_detail_quad4_reach(q->masked, q->u, promise) * det;
+    other = footpoint_detail_quad4_reach(q->masked, q->v, promise) * det;
     room = room * (0.999 * room - 4.0 * (r->high * f)) - 4.0 * (r->wide * r->high) * (g * g);
     other = other * (0.999 * other - 4.0 * (r->wide * g)) - 4.0 * (r->wide * r->high) * (f * f);
     return footpoint_detail_bits(det) | footpoint_detail_bits(room) | footpoint_detail_bits(other) |
@@ -2672,17 +2751,21 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_within(const footpoint_
     const double mixed = q->uv - q->dc, turn = fabs(mixed), det = q->uu * q->vv - mixed * mixed;
     const double held = 2.0 * close * (r->wide + r->high + fabs(q->dc));
     const double both =
-        promise * det - 1.05 * footpoint_detail_greater(q->vv * f + turn * g, q->uu * g + turn * f);
+        promise * det -
+        1.05 * footpoint_detail_greater_of(q->masked, q->vv * f + turn * g, q->uu * g + turn * f);
     const double of_u = promise * q->uu - 1.05 * f, of_v = promise * q->vv - 1.05 * g;
-    const double clear_u = footpoint_detail_pick(in_u, in_u - close, q->u * q->f - r->off_f - held);
-    const double clear_v = footpoint_detail_pick(in_v, in_v - close, q->v * q->g - r->off_g - held);
-    const double room = footpoint_detail_pick(in_u, footpoint_detail_pick(in_v, both, of_u),
-                                              footpoint_detail_pick(in_v, of_v, 1.0));
+    const double clear_u =
+        footpoint_detail_pick_of(q->masked, in_u, in_u - close, q->u * q->f - r->off_f - held);
+    const double clear_v =
+        footpoint_detail_pick_of(q->masked, in_v, in_v - close, q->v * q->g - r->off_g - held);
+    const double room = footpoint_detail_pick_of(
+        q->masked, in_u, footpoint_detail_pick_of(q->masked, in_v, both, of_u),
+        footpoint_detail_pick_of(q->masked, in_v, of_v, 1.0));
     return footpoint_detail_bits(clear_u) | footpoint_detail_bits(clear_v) |
            footpoint_detail_bits(room) |
-           footpoint_detail_bits(footpoint_detail_pick(footpoint_detail_least(in_u, in_v),
-                                                       det - 20000.0 * 1.12e-16 * (mixed * mixed),
-                                                       1.0)) |
+           footpoint_detail_bits(
+               footpoint_detail_pick_of(q->masked, footpoint_detail_least_of(q->masked, in_u, in_v),
+                                        det - 20000.0 * 1.12e-16 * (mixed * mixed), 1.0)) |
            footpoint_detail_infinite(room + clear_u + clear_v);
 }
 
@@ -2708,6 +2791,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_here(const double p[9],
         y[i] = r->b[i] + u * r->c[i];
         w[i] = r->over * r->d[i] - u * r->a[i] - v * y[i];
     }
+    q->masked = r->masked;
     q->u = u;
     q->v = v;
     q->cc = p[5];
@@ -2734,29 +2818,31 @@ FOOTPOINT_PART void footpoint_detail_quad4_here(const double p[9],
 
 /* Finds the point v of the edge u = e nearest to xS, clamped, and returns its slope outwards; a, b, ... in products as in
  * footpoint_detail_quad4_step.  For edges of v, exchange a and b. */
-FOOTPOINT_PART double footpoint_detail_quad4_edge(double aa, double e12, double bb, double ac, double bc,
-                                                  double cc, double ad, double bd, double e, double *v)
+FOOTPOINT_PART double footpoint_detail_quad4_edge(int masked, double aa, double e12, double bb, double ac,
+                                                  double bc, double cc, double ad, double bd, double e, double *v)
 {
     const double along = (bd - ac) - e * e12, square = bb + e * (bc + bc) + cc;
     double t = along / (square + 2.2250738585072014e-308);
-    t = footpoint_detail_greater(-1.0, footpoint_detail_least(t, 1.0));
+    t = footpoint_detail_greater_of(masked, -1.0, footpoint_detail_least_of(masked, t, 1.0));
     *v = t;
     return e * (ad - t * (e12 + t * bc)) - (aa + t * (ac + ac + t * cc));
 }
 
 /* Moves (u,v), if outside of the segment, to an edge or a corner: to xi = 1 or -1 if that has been crossed,
  * unless eta is outside, too, and the distance does not grow inwards there. */
-FOOTPOINT_PART void footpoint_detail_quad4_inside(const double p[9], double *u, double *v)
+FOOTPOINT_PART void footpoint_detail_quad4_inside(int masked, const double p[9], double *u, double *v)
 {
     const double beyond_u = fabs(*u) - 1.0, beyond_v = fabs(*v) - 1.0, e12 = p[1] - p[8];
-    const double outside = footpoint_detail_greater(beyond_u, beyond_v);
+    const double outside = footpoint_detail_greater_of(masked, beyond_u, beyond_v);
     const double eu = copysign(1.0, *u), ev = copysign(1.0, *v);
     double s, t, on;
-    on = footpoint_detail_quad4_edge(p[0], e12, p[2], p[3], p[4], p[5], p[6], p[7], eu, &t);
-    (void)footpoint_detail_quad4_edge(p[2], e12, p[0], p[4], p[3], p[5], p[7], p[6], ev, &s);
-    on = footpoint_detail_pick(beyond_u, footpoint_detail_pick(beyond_v, on, 1.0), -1.0);
-    *u = footpoint_detail_pick(outside, footpoint_detail_pick(on, eu, s), *u);
-    *v = footpoint_detail_pick(outside, footpoint_detail_pick(on, t, ev), *v);
+    on = footpoint_detail_quad4_edge(masked, p[0], e12, p[2], p[3], p[4], p[5], p[6], p[7], eu, &t);
+    (void)footpoint_detail_quad4_edge(masked, p[2], e12, p[0], p[4], p[3], p[5], p[7], p[6], ev,
+                                      &s);
+    on = footpoint_detail_pick_of(masked, beyond_u,
+                                  footpoint_detail_pick_of(masked, beyond_v, on, 1.0), -1.0);
+    *u = footpoint_detail_pick_of(masked, outside, footpoint_detail_pick_of(masked, on, eu, s), *u);
+    *v = footpoint_detail_pick_of(masked, outside, footpoint_detail_pick_of(masked, on, t, ev), *v);
 }
 
 /* Returns the region: 1 to 4: edges, 5 to 8: corners; 0 inside. */
@@ -2777,7 +2863,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_touch(const double p[9]
     footpoint_detail_quad4_local q;
     footpoint_detail_quad4_bounds bounds;
     const double apart = 8.0 * (r->size + p[5]);
-    const double inside = footpoint_detail_least(1.0 - fabs(u), 1.0 - fabs(v));
+    const double inside = footpoint_detail_least_of(r->masked, 1.0 - fabs(u), 1.0 - fabs(v));
     const double close =
         promise < 1e-11 ? 1e-9 : promise; /* proved for the whole segment */
     double x[3], y[3], w[3], n[3], nn, longest, f, g, grows, area;
@@ -2785,7 +2871,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_touch(const double p[9]
     int i;
     footpoint_detail_quad4_here(p, r, promise < close, u, v, x, y, w, &q, &bounds);
     area = bounds.wide * bounds.high;
-    longest = 4.0 * footpoint_detail_greater(bounds.wide, bounds.high);
+    longest = 4.0 * footpoint_detail_greater_of(r->masked, bounds.wide, bounds.high);
     footpoint_detail_cross(x, y, n);
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++)
@@ -2793,19 +2879,21 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_touch(const double p[9]
     nn = footpoint_detail_dot(n, n);
     at[0] = u;
     at[1] = v;
-    at[2] = copysign(per * per * q.dd,
-                     footpoint_detail_facing(n, w, q.dd, apart, apart * (q.uu + q.vv),
-                                             footpoint_detail_pick(inside, 0.0, 1.0)));
+    at[2] =
+        copysign(per * per * q.dd,
+                 footpoint_detail_facing(n, w, q.dd, apart, apart * (q.uu + q.vv),
+                                         footpoint_detail_pick_of(r->masked, inside, 0.0, 1.0)));
     *beyond = footpoint_detail_above(q.dd, longest);
-    grows = footpoint_detail_quad4_grows(u, q.f, bounds.off_f, &f);
-    grows += footpoint_detail_quad4_grows(v, q.g, bounds.off_g, &g);
+    grows = footpoint_detail_quad4_grows(r->masked, u, q.f, bounds.off_f, &f);
+    grows += footpoint_detail_quad4_grows(r->masked, v, q.g, bounds.off_g, &g);
     doubt = footpoint_detail_quad4_sole(&q, &bounds, close, f, g,
                                         footpoint_detail_quad4_least_det(&q, grows));
     if (promise < close)
         doubt |= footpoint_detail_quad4_within(&q, &bounds, close, promise);
     return doubt | footpoint_detail_outside(area * area) |
-           footpoint_detail_bits(
-               nn - footpoint_detail_greater(1e5 * 1.12e-16, 0.0009765625 * 0.0009765625) * area);
+           footpoint_detail_bits(nn - footpoint_detail_greater_of(r->masked, 1e5 * 1.12e-16,
+                                                                  0.0009765625 * 0.0009765625) *
+                                          area);
 }
 
 /* Moves from (xi,eta) to the closest point by one step, for the finest promise by two, from far outside directly;
@@ -2816,17 +2904,17 @@ FOOTPOINT_PART int footpoint_detail_quad4_close(const double products[9],
                                                 double promise, double per, int lanes, double xi,
                                                 double eta, double at[3], int *region)
 {
-    const double far = footpoint_detail_greater(fabs(xi), fabs(eta)) - 1.1;
+    const double far = footpoint_detail_greater_of(r->masked, fabs(xi), fabs(eta)) - 1.1;
     double u = xi, v = eta;
     unsigned long long doubt, beyond;
-    if (lanes || footpoint_detail_pick(far, 0.0, 1.0) > 0.0) {
+    if (lanes || footpoint_detail_pick_of(r->masked, far, 0.0, 1.0) > 0.0) {
         (void)footpoint_detail_quad4_step(products, r, promise, &u, &v);
         if (promise < 1e-11)
             (void)footpoint_detail_quad4_step(products, r, promise, &u, &v);
     }
-    u = footpoint_detail_pick(far, xi, u);
-    v = footpoint_detail_pick(far, eta, v);
-    footpoint_detail_quad4_inside(products, &u, &v);
+    u = footpoint_detail_pick_of(r->masked, far, xi, u);
+    v = footpoint_detail_pick_of(r->masked, far, eta, v);
+    footpoint_detail_quad4_inside(r->masked, products, &u, &v);
     doubt = footpoint_detail_quad4_touch(products, r, promise, per, u, v, at, &beyond);
     if (lanes || !(doubt >> 63)) /* NaN raises no exception */
         *region = footpoint_detail_quad4_region(at[0], at[1]);
@@ -2876,6 +2964,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_look(const footpoint_detail_quad4_fac
         y[i] = r->b[i] + u * r->c[i];
         w[i] = r->d[i] - u * r->a[i] - v * y[i];
     }
+    q->masked = 0;
     q->u = u;
     q->v = v;
     q->uu = footpoint_detail_dot(x, x);
@@ -3023,8 +3112,8 @@ FOOTPOINT_COLD int footpoint_detail_quad4_certain(const footpoint_detail_quad4_f
     bounds.off_g = 24.0 * unit * (r->second * r->far);
     bounds.off_det = 30.0 * off_mixed * (r->first * r->second);
     bounds.off_rows = off_mixed + 15.0 * unit * (r->first * r->first + r->second * r->second);
-    grows = footpoint_detail_quad4_grows(q->u, q->f, bounds.off_f, &f);
-    grows += footpoint_detail_quad4_grows(q->v, q->g, bounds.off_g, &g);
+    grows = footpoint_detail_quad4_grows(0, q->u, q->f, bounds.off_f, &f);
+    grows += footpoint_detail_quad4_grows(0, q->v, q->g, bounds.off_g, &g);
     if (slack > 0.0) {
         slack = (slack * sqrt(q->dd) - 2.0 * (f + g)) / (2.0 * (bounds.wide + bounds.high));
         det = footpoint_detail_quad4_sharp_det(q, grows, 1.0 / (1.0 + slack));
@@ -3168,8 +3257,8 @@ FOOTPOINT_COLD double footpoint_detail_quad4_none_nearer(const double *const *x,
     int k;
     if (status == FOOTPOINT_OK) {
         footpoint_detail_quad4_surface(x, at[0], at[1], u, v, d);
-        (void)footpoint_detail_quad4_grows(at[0], footpoint_detail_dot(u, d), 0.0, &f);
-        (void)footpoint_detail_quad4_grows(at[1], footpoint_detail_dot(v, d), 0.0, &g);
+        (void)footpoint_detail_quad4_grows(0, at[0], footpoint_detail_dot(u, d), 0.0, &f);
+        (void)footpoint_detail_quad4_grows(0, at[1], footpoint_detail_dot(v, d), 0.0, &g);
         least = at[2] * at[2] - 2.0 * promise * (f + g);
         return sqrt(footpoint_detail_greater(least, 0.0));
     }
@@ -3185,6 +3274,77 @@ FOOTPOINT_COLD double footpoint_detail_quad4_none_nearer(const double *const *x,
     least = sqrt(footpoint_detail_dot(d, d));
     return footpoint_detail_greater(least - sqrt(most) - 100.0 * 1.12e-16 * (least + sqrt(most)),
                                     0.0);
+}
+
+typedef struct {
+    double x[15][32], at[3][32];
+    int region[32], status[32];
+} footpoint_detail_quad4_closest_block;
+
+/* Searches the pairs of a block. */
+FOOTPOINT_PART void footpoint_detail_quad4_closest_side(footpoint_detail_nearby *nearby,
+                                                        footpoint_detail_quad4_closest_block *t,
+                                                        int lanes, double zero)
+{
+    const double *x[15];
+    int i;
+    for (i = 0; i < 15; i++)
+        x[i] = t->x[i];
+    FOOTPOINT_EACH
+    for (i = 0; i < lanes; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double at[3];
+        int region;
+        t->status[i] = nearby(row, 1, zero, at, &region);
+        t->region[i] = region;
+        t->at[0][i] = at[0];
+        t->at[1][i] = at[1];
+        t->at[2][i] = at[2];
+    }
+}
+
+/* Searches n pairs, the last two one by one. dist: squares of distances with their signs. */
+FOOTPOINT_PART void
+footpoint_detail_quad4_closest_loop(footpoint_detail_nearby *nearby, size_t n, const double *const *x,
+                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                    int *FOOTPOINT_RESTRICT status)
+{
+    const double zero = footpoint_detail_zero();
+    footpoint_detail_quad4_closest_block t;
+    size_t i = 0, k;
+    while (footpoint_detail_masks() && i + 2 < n) {
+        const size_t lanes = n - i < 32 ? 8 : 32, count = n - i < lanes ? n - i : lanes;
+        for (k = 0; k < 15; k++) {
+            size_t l;
+            for (l = 0; l < lanes; l++)
+                t.x[k][l] = x[k][i + (l < count ? l : count - 1)];
+        }
+        if (lanes == 8)
+            footpoint_detail_quad4_closest_side(nearby, &t, 8, zero);
+        else
+            footpoint_detail_quad4_closest_side(nearby, &t, 32, zero);
+        for (k = 0; k < count; k++, i++) {
+            xi[i] = t.at[0][k];
+            eta[i] = t.at[1][k];
+            dist[i] = t.at[2][k];
+            region[i] = t.region[k];
+            status[i] = t.status[k];
+        }
+    }
+    FOOTPOINT_EACH
+    for (; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double at[3];
+        status[i] = nearby(row, !footpoint_detail_masks(), zero, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
 }
 
 /* Finds an answer, with the distance in at. */
@@ -3214,19 +3374,8 @@ FOOTPOINT_PART void footpoint_detail_quad4_proved_closest_n(
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
     int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
-    const double zero = footpoint_detail_zero();
     size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double at[3];
-        status[i] = nearby(row, 1, zero, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
+    footpoint_detail_quad4_closest_loop(nearby, n, x, xi, eta, dist, region, status);
     for (i = 0; i < n; i++)
         dist[i] = footpoint_detail_signed_root(dist[i]);
     for (i = 0; i < n; i++)
@@ -3414,7 +3563,7 @@ FOOTPOINT_PART unsigned long long footpoint_parallelogram_quad4_exact_detail_pro
         footpoint_detail_dot(c, c), footpoint_detail_dot(a, d), footpoint_detail_dot(b, d), footpoint_detail_dot(c, d)};
     const double ratio = 1, per = 0.25, unit = 0.25, rounding = 19 * 1.12e-16;
     const double *const x[5] = {xA, xB, xC, xD, xS};
-    const footpoint_detail_quad4_vectors vectors = {x, a, b, c, d, 1, size, rounding, 1};
+    const footpoint_detail_quad4_vectors vectors = {x, a, b, c, d, 1, size, rounding, 1, 0};
     const unsigned long long doubt =
         footpoint_detail_quad4_steps(products, &vectors, promise, fixed, xi, eta);
     return doubt | footpoint_detail_quad4_over(a, b, c, d, size, ratio, per, unit, *xi, *eta,
@@ -3434,8 +3583,8 @@ FOOTPOINT_PART int footpoint_parallelogram_quad4_exact_detail_approach(const dou
     const double products[9] = {footpoint_detail_dot(a, a), footpoint_detail_dot(a, b), footpoint_detail_dot(b, b), footpoint_detail_dot(a, c), footpoint_detail_dot(b, c),
         footpoint_detail_dot(c, c), footpoint_detail_dot(a, d), footpoint_detail_dot(b, d), footpoint_detail_dot(c, d)};
     const double *const x[5] = {xA, xB, xC, xD, xS};
-    const footpoint_detail_quad4_vectors vectors = {x,    a, b, c, d, 1, footpoint_detail_dot(a, a) + footpoint_detail_dot(b, b) + footpoint_detail_dot(c, c), 19 * 1.12e-16,
-                                                    1};
+    const footpoint_detail_quad4_vectors vectors = {
+        x, a, b, c, d, 1, footpoint_detail_dot(a, a) + footpoint_detail_dot(b, b) + footpoint_detail_dot(c, c), 19 * 1.12e-16, 1, lanes && footpoint_detail_masks()};
     return footpoint_detail_quad4_close(products, &vectors, promise, 1 * 0.25, lanes, xi, eta,
                                         at, region);
 }

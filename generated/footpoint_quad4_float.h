@@ -417,14 +417,51 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
     return (unsigned int)FOOTPOINT_LOOSE << 31;
 }
 
-/* Returns the greater number; a comparison with NaN raises no exception. */
-FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
+/* Compares numbers; NaN raises no exception. */
+FOOTPOINT_PART int footpoint_detail_f_exceeds(float a, float b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(a, b) ? a : b;
+    return __builtin_isgreater(a, b);
 #else
-    return a > b ? a : b;
+    return a > b;
 #endif
+}
+
+/* Returns 1 if loops over pairs are worth masks: compilers have vectors of numbers and of their bits. */
+FOOTPOINT_PART int footpoint_detail_f_masks(void)
+{
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(FOOTPOINT_DEVICE)
+    return sizeof(float) == sizeof(double);
+#else
+    return 0;
+#endif
+}
+
+/* Returns a or b. masked = 1: by a mask of bits, in loops of which compilers would otherwise make branches. */
+FOOTPOINT_PART float footpoint_detail_f_choose(int masked, int first, float a, float b)
+{
+    union {
+        float number;
+        unsigned int bits;
+    } x, y;
+    const unsigned int mask = (unsigned int)0 - (unsigned int)first;
+    if (!masked)
+        return first ? a : b;
+    x.number = a;
+    y.number = b;
+    x.bits = (x.bits & mask) | (y.bits & ~mask);
+    return x.number;
+}
+
+/* Returns the greater number. */
+FOOTPOINT_PART float footpoint_detail_f_greater_of(int masked, float a, float b)
+{
+    return footpoint_detail_f_choose(masked, footpoint_detail_f_exceeds(a, b), a, b);
+}
+
+FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
+{
+    return footpoint_detail_f_exceeds(a, b) ? a : b;
 }
 
 /* Returns the sum of the absolute values. */
@@ -463,7 +500,7 @@ typedef struct {
     const float *const *x;
     const float *a, *b, *c, *d;
     float over, size, rounding;
-    int twist;
+    int twist, masked;
 } footpoint_detail_f_quad4_vectors;
 
 /* Values at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and for each coordinate the sum of the absolute
@@ -995,24 +1032,26 @@ FOOTPOINT_PART void footpoint_detail_f_triangle_bisect(const float *const *x, fl
     (void)at;
 }
 
-/* Returns a if x > 0, otherwise b. */
+/* Returns a if x > 0, otherwise b. masked: see footpoint_detail_f_choose. */
+FOOTPOINT_PART float footpoint_detail_f_pick_of(int masked, float x, float a, float b)
+{
+    return footpoint_detail_f_choose(masked, footpoint_detail_f_exceeds(x, 0.0f), a, b);
+}
+
 FOOTPOINT_PART float footpoint_detail_f_pick(float x, float a, float b)
 {
-#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(x, 0.0f) ? a : b;
-#else
-    return x > 0.0f ? a : b;
-#endif
+    return footpoint_detail_f_exceeds(x, 0.0f) ? a : b;
 }
 
 /* Returns the lesser number. */
+FOOTPOINT_PART float footpoint_detail_f_least_of(int masked, float a, float b)
+{
+    return footpoint_detail_f_choose(masked, footpoint_detail_f_exceeds(b, a), a, b);
+}
+
 FOOTPOINT_PART float footpoint_detail_f_least(float a, float b)
 {
-#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(b, a) ? a : b;
-#else
-    return a < b ? a : b;
-#endif
+    return footpoint_detail_f_exceeds(b, a) ? a : b;
 }
 
 FOOTPOINT_PART float footpoint_detail_f_length(const float a[3])
@@ -1269,9 +1308,10 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_behind_all(size_t n, const float *co
 
 /* The numbers for the proof at (u,v) of r = c0 + xi a + eta b + xi eta c, with a common factor: products of r_xi, r_eta,
  * c and D = xS - r, two letters each: uu = r_xi . r_xi, uc = r_xi . c, ...; slopes f = r_xi . D and g = r_eta . D;
- * and dd = D . D. */
+ * and dd = D . D.  masked: see footpoint_detail_f_choose. */
 typedef struct {
     float u, v, uu, uv, vv, uc, vc, cc, dc, f, g, dd;
+    int masked;
 } footpoint_detail_f_quad4_local;
 
 /* Bounds over the whole segment: wide >= |r_xi|^2, high >= |r_eta|^2; rounding errors of slopes, off_f and off_g;
@@ -1282,17 +1322,18 @@ typedef struct {
 
 /* Returns the slope of half the squared distance from an edge of u, of slope f, into the segment; 0 inside.  *falls:
  * the steepest possible fall, f being off by `off`. */
-FOOTPOINT_PART float footpoint_detail_f_quad4_grows(float u, float f, float off, float *falls)
+FOOTPOINT_PART float footpoint_detail_f_quad4_grows(int masked, float u, float f, float off, float *falls)
 {
-    const float outward = footpoint_detail_f_pick(1.0f - fabsf(u), -fabsf(f), u * f);
-    *falls = footpoint_detail_f_greater(off - outward, 0.0f);
-    return footpoint_detail_f_greater(outward, 0.0f);
+    const float outward = footpoint_detail_f_pick_of(masked, 1.0f - fabsf(u), -fabsf(f), u * f);
+    *falls = footpoint_detail_f_greater_of(masked, off - outward, 0.0f);
+    return footpoint_detail_f_greater_of(masked, outward, 0.0f);
 }
 
 /* Returns the largest permitted distance of a point from u: `promise`, and within the region, or 3e-4f. */
-FOOTPOINT_PART float footpoint_detail_f_quad4_reach(float u, float promise)
+FOOTPOINT_PART float footpoint_detail_f_quad4_reach(int masked, float u, float promise)
 {
-    return footpoint_detail_f_least(promise, footpoint_detail_f_greater(1.0f - fabsf(u), 3e-4f));
+    return footpoint_detail_f_least_of(
+        masked, promise, footpoint_detail_f_greater_of(masked, 1.0f - fabsf(u), 3e-4f));
 }
 
 /* Returns a number Q for footpoint_detail_f_quad4_sole, from lines below the quadratics; `grows`: the sum of both edges'
@@ -1300,11 +1341,12 @@ FOOTPOINT_PART float footpoint_detail_f_quad4_reach(float u, float promise)
 FOOTPOINT_PART float footpoint_detail_f_quad4_least_det(const footpoint_detail_f_quad4_local *q,
                                                         float grows)
 {
-    const float bent = footpoint_detail_f_greater(fabsf(q->dc) - 0.5f * grows, 0.0f);
+    const float bent = footpoint_detail_f_greater_of(q->masked, fabsf(q->dc) - 0.5f * grows, 0.0f);
     const float mixed = q->uv - copysignf(bent, q->dc), det = q->uu * q->vv - mixed * mixed;
     const float by_t = 2.0f * (q->vv * q->uc - mixed * q->vc);
     const float by_s = 2.0f * (q->uu * q->vc - mixed * q->uc);
-    return det - footpoint_detail_f_least(fabsf(by_t) + by_t * q->v, fabsf(by_s) + by_s * q->u);
+    return det -
+           footpoint_detail_f_least_of(q->masked, fabsf(by_t) + by_t * q->v, fabsf(by_s) + by_s * q->u);
 }
 
 /* Proves the closest point.  The highest bit of the result is not set if the closest point of the closed segment is proved to lie within
@@ -1331,8 +1373,8 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_sole(const footpoint_detail
 {
     const float det = least_det - (r->off_det + 1.1754944e-38f);
     float room, other;
-    room = footpoint_detail_f_quad4_reach(q->u, promise) * det;
-    other = footpoint_detail_f_quad4_reach(q->v, promise) * det;
+    room = footpoint_detail_f_quad4_reach(q->masked, q->u, promise) * det;
+    other = footpoint_detail_f_quad4_reach(q->masked, q->v, promise) * det;
     room = room * (0.999f * room - 4.0f * (r->high * f)) - 4.0f * (r->wide * r->high) * (g * g);
     other = other * (0.999f * other - 4.0f * (r->wide * g)) - 4.0f * (r->wide * r->high) * (f * f);
     return footpoint_detail_f_bits(det) | footpoint_detail_f_bits(room) | footpoint_detail_f_bits(other) |
@@ -1354,17 +1396,21 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_within(const footpoint_deta
     const float mixed = q->uv - q->dc, turn = fabsf(mixed), det = q->uu * q->vv - mixed * mixed;
     const float held = 2.0f * close * (r->wide + r->high + fabsf(q->dc));
     const float both =
-        promise * det - 1.05f * footpoint_detail_f_greater(q->vv * f + turn * g, q->uu * g + turn * f);
+        promise * det -
+        1.05f * footpoint_detail_f_greater_of(q->masked, q->vv * f + turn * g, q->uu * g + turn * f);
     const float of_u = promise * q->uu - 1.05f * f, of_v = promise * q->vv - 1.05f * g;
-    const float clear_u = footpoint_detail_f_pick(in_u, in_u - close, q->u * q->f - r->off_f - held);
-    const float clear_v = footpoint_detail_f_pick(in_v, in_v - close, q->v * q->g - r->off_g - held);
-    const float room = footpoint_detail_f_pick(in_u, footpoint_detail_f_pick(in_v, both, of_u),
-                                               footpoint_detail_f_pick(in_v, of_v, 1.0f));
+    const float clear_u =
+        footpoint_detail_f_pick_of(q->masked, in_u, in_u - close, q->u * q->f - r->off_f - held);
+    const float clear_v =
+        footpoint_detail_f_pick_of(q->masked, in_v, in_v - close, q->v * q->g - r->off_g - held);
+    const float room = footpoint_detail_f_pick_of(
+        q->masked, in_u, footpoint_detail_f_pick_of(q->masked, in_v, both, of_u),
+        footpoint_detail_f_pick_of(q->masked, in_v, of_v, 1.0f));
     return footpoint_detail_f_bits(clear_u) | footpoint_detail_f_bits(clear_v) |
            footpoint_detail_f_bits(room) |
-           footpoint_detail_f_bits(footpoint_detail_f_pick(footpoint_detail_f_least(in_u, in_v),
-                                                           det - 20000.0f * 6e-8f * (mixed * mixed),
-                                                           1.0f)) |
+           footpoint_detail_f_bits(
+               footpoint_detail_f_pick_of(q->masked, footpoint_detail_f_least_of(q->masked, in_u, in_v),
+                                          det - 20000.0f * 6e-8f * (mixed * mixed), 1.0f)) |
            footpoint_detail_f_infinite(room + clear_u + clear_v);
 }
 
@@ -1392,6 +1438,7 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_here(const float p[9],
         more[i] = all[i] + at.W[i];
     }
     (void)finely;
+    q->masked = r->masked;
     q->u = u;
     q->v = v;
     q->uu = footpoint_detail_f_dot(x, x);
@@ -1419,29 +1466,31 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_here(const float p[9],
 
 /* Finds the point v of the edge u = e nearest to xS, clamped, and returns its slope outwards; a, b, ... in products as in
  * footpoint_detail_f_quad4_step.  For edges of v, exchange a and b. */
-FOOTPOINT_PART float footpoint_detail_f_quad4_edge(float aa, float e12, float bb, float ac, float bc,
-                                                   float cc, float ad, float bd, float e, float *v)
+FOOTPOINT_PART float footpoint_detail_f_quad4_edge(int masked, float aa, float e12, float bb, float ac,
+                                                   float bc, float cc, float ad, float bd, float e, float *v)
 {
     const float along = (bd - ac) - e * e12, square = bb + e * (bc + bc) + cc;
     float t = along / (square + 1.1754944e-38f);
-    t = footpoint_detail_f_greater(-1.0f, footpoint_detail_f_least(t, 1.0f));
+    t = footpoint_detail_f_greater_of(masked, -1.0f, footpoint_detail_f_least_of(masked, t, 1.0f));
     *v = t;
     return e * (ad - t * (e12 + t * bc)) - (aa + t * (ac + ac + t * cc));
 }
 
 /* Moves (u,v), if outside of the segment, to an edge or a corner: to xi = 1 or -1 if that has been crossed,
  * unless eta is outside, too, and the distance does not grow inwards there. */
-FOOTPOINT_PART void footpoint_detail_f_quad4_inside(const float p[9], float *u, float *v)
+FOOTPOINT_PART void footpoint_detail_f_quad4_inside(int masked, const float p[9], float *u, float *v)
 {
     const float beyond_u = fabsf(*u) - 1.0f, beyond_v = fabsf(*v) - 1.0f, e12 = p[1] - p[8];
-    const float outside = footpoint_detail_f_greater(beyond_u, beyond_v);
+    const float outside = footpoint_detail_f_greater_of(masked, beyond_u, beyond_v);
     const float eu = copysignf(1.0f, *u), ev = copysignf(1.0f, *v);
     float s, t, on;
-    on = footpoint_detail_f_quad4_edge(p[0], e12, p[2], p[3], p[4], p[5], p[6], p[7], eu, &t);
-    (void)footpoint_detail_f_quad4_edge(p[2], e12, p[0], p[4], p[3], p[5], p[7], p[6], ev, &s);
-    on = footpoint_detail_f_pick(beyond_u, footpoint_detail_f_pick(beyond_v, on, 1.0f), -1.0f);
-    *u = footpoint_detail_f_pick(outside, footpoint_detail_f_pick(on, eu, s), *u);
-    *v = footpoint_detail_f_pick(outside, footpoint_detail_f_pick(on, t, ev), *v);
+    on = footpoint_detail_f_quad4_edge(masked, p[0], e12, p[2], p[3], p[4], p[5], p[6], p[7], eu, &t);
+    (void)footpoint_detail_f_quad4_edge(masked, p[2], e12, p[0], p[4], p[3], p[5], p[7], p[6], ev,
+                                        &s);
+    on = footpoint_detail_f_pick_of(masked, beyond_u,
+                                    footpoint_detail_f_pick_of(masked, beyond_v, on, 1.0f), -1.0f);
+    *u = footpoint_detail_f_pick_of(masked, outside, footpoint_detail_f_pick_of(masked, on, eu, s), *u);
+    *v = footpoint_detail_f_pick_of(masked, outside, footpoint_detail_f_pick_of(masked, on, t, ev), *v);
 }
 
 /* Returns the region: 1 to 4: edges, 5 to 8: corners; 0 inside. */
@@ -1462,7 +1511,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_touch(const float p[9],
     footpoint_detail_f_quad4_local q;
     footpoint_detail_f_quad4_bounds bounds;
     const float apart = 8.0f * (r->size + p[5]);
-    const float inside = footpoint_detail_f_least(1.0f - fabsf(u), 1.0f - fabsf(v));
+    const float inside = footpoint_detail_f_least_of(r->masked, 1.0f - fabsf(u), 1.0f - fabsf(v));
     const float close =
         promise < 1e-3f ? 3e-4f : promise; /* proved for the whole segment */
     float x[3], y[3], w[3], n[3], nn, longest, f, g, grows, area;
@@ -1470,7 +1519,7 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_touch(const float p[9],
     int i;
     footpoint_detail_f_quad4_here(p, r, promise < close, u, v, x, y, w, &q, &bounds);
     area = bounds.wide * bounds.high;
-    longest = 4.0f * footpoint_detail_f_greater(bounds.wide, bounds.high);
+    longest = 4.0f * footpoint_detail_f_greater_of(r->masked, bounds.wide, bounds.high);
     footpoint_detail_f_cross(x, y, n);
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++)
@@ -1478,19 +1527,21 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_touch(const float p[9],
     nn = footpoint_detail_f_dot(n, n);
     at[0] = u;
     at[1] = v;
-    at[2] = copysignf(per * per * q.dd,
-                      footpoint_detail_f_facing(n, w, q.dd, apart, apart * (q.uu + q.vv),
-                                                footpoint_detail_f_pick(inside, 0.0f, 1.0f)));
+    at[2] =
+        copysignf(per * per * q.dd,
+                  footpoint_detail_f_facing(n, w, q.dd, apart, apart * (q.uu + q.vv),
+                                            footpoint_detail_f_pick_of(r->masked, inside, 0.0f, 1.0f)));
     *beyond = footpoint_detail_f_above(q.dd, longest);
-    grows = footpoint_detail_f_quad4_grows(u, q.f, bounds.off_f, &f);
-    grows += footpoint_detail_f_quad4_grows(v, q.g, bounds.off_g, &g);
+    grows = footpoint_detail_f_quad4_grows(r->masked, u, q.f, bounds.off_f, &f);
+    grows += footpoint_detail_f_quad4_grows(r->masked, v, q.g, bounds.off_g, &g);
     doubt = footpoint_detail_f_quad4_sole(&q, &bounds, close, f, g,
                                           footpoint_detail_f_quad4_least_det(&q, grows));
     if (promise < close)
         doubt |= footpoint_detail_f_quad4_within(&q, &bounds, close, promise);
     return doubt | footpoint_detail_f_outside(area * area) |
-           footpoint_detail_f_bits(
-               nn - footpoint_detail_f_greater(1e5f * 6e-8f, 0.03125f * 0.03125f) * area);
+           footpoint_detail_f_bits(nn - footpoint_detail_f_greater_of(r->masked, 1e5f * 6e-8f,
+                                                                      0.03125f * 0.03125f) *
+                                          area);
 }
 
 /* Moves from (xi,eta) to the closest point by one step, for the finest promise by two, from far outside directly;
@@ -1501,17 +1552,17 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_close(const float products[9],
                                                   float promise, float per, int lanes, float xi,
                                                   float eta, float at[3], int *region)
 {
-    const float far = footpoint_detail_f_greater(fabsf(xi), fabsf(eta)) - 1.1f;
+    const float far = footpoint_detail_f_greater_of(r->masked, fabsf(xi), fabsf(eta)) - 1.1f;
     float u = xi, v = eta;
     unsigned int doubt, beyond;
-    if (lanes || footpoint_detail_f_pick(far, 0.0f, 1.0f) > 0.0f) {
+    if (lanes || footpoint_detail_f_pick_of(r->masked, far, 0.0f, 1.0f) > 0.0f) {
         (void)footpoint_detail_f_quad4_step(products, r, promise, &u, &v);
         if (promise < 1e-11f)
             (void)footpoint_detail_f_quad4_step(products, r, promise, &u, &v);
     }
-    u = footpoint_detail_f_pick(far, xi, u);
-    v = footpoint_detail_f_pick(far, eta, v);
-    footpoint_detail_f_quad4_inside(products, &u, &v);
+    u = footpoint_detail_f_pick_of(r->masked, far, xi, u);
+    v = footpoint_detail_f_pick_of(r->masked, far, eta, v);
+    footpoint_detail_f_quad4_inside(r->masked, products, &u, &v);
     doubt = footpoint_detail_f_quad4_touch(products, r, promise, per, u, v, at, &beyond);
     if (lanes || !(doubt >> 31)) /* NaN raises no exception */
         *region = footpoint_detail_f_quad4_region(at[0], at[1]);
@@ -1561,6 +1612,7 @@ FOOTPOINT_COLD void footpoint_detail_f_quad4_look(const footpoint_detail_f_quad4
         y[i] = r->b[i] + u * r->c[i];
         w[i] = r->d[i] - u * r->a[i] - v * y[i];
     }
+    q->masked = 0;
     q->u = u;
     q->v = v;
     q->uu = footpoint_detail_f_dot(x, x);
@@ -1708,8 +1760,8 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_certain(const footpoint_detail_f_qua
     bounds.off_g = 24.0f * unit * (r->second * r->far);
     bounds.off_det = 30.0f * off_mixed * (r->first * r->second);
     bounds.off_rows = off_mixed + 15.0f * unit * (r->first * r->first + r->second * r->second);
-    grows = footpoint_detail_f_quad4_grows(q->u, q->f, bounds.off_f, &f);
-    grows += footpoint_detail_f_quad4_grows(q->v, q->g, bounds.off_g, &g);
+    grows = footpoint_detail_f_quad4_grows(0, q->u, q->f, bounds.off_f, &f);
+    grows += footpoint_detail_f_quad4_grows(0, q->v, q->g, bounds.off_g, &g);
     if (slack > 0.0f) {
         slack = (slack * sqrtf(q->dd) - 2.0f * (f + g)) / (2.0f * (bounds.wide + bounds.high));
         det = footpoint_detail_f_quad4_sharp_det(q, grows, 1.0f / (1.0f + slack));
@@ -1853,8 +1905,8 @@ FOOTPOINT_COLD float footpoint_detail_f_quad4_none_nearer(const float *const *x,
     int k;
     if (status == FOOTPOINT_OK) {
         footpoint_detail_f_quad4_surface(x, at[0], at[1], u, v, d);
-        (void)footpoint_detail_f_quad4_grows(at[0], footpoint_detail_f_dot(u, d), 0.0f, &f);
-        (void)footpoint_detail_f_quad4_grows(at[1], footpoint_detail_f_dot(v, d), 0.0f, &g);
+        (void)footpoint_detail_f_quad4_grows(0, at[0], footpoint_detail_f_dot(u, d), 0.0f, &f);
+        (void)footpoint_detail_f_quad4_grows(0, at[1], footpoint_detail_f_dot(v, d), 0.0f, &g);
         least = at[2] * at[2] - 2.0f * promise * (f + g);
         return sqrtf(footpoint_detail_f_greater(least, 0.0f));
     }
@@ -1870,6 +1922,28 @@ FOOTPOINT_COLD float footpoint_detail_f_quad4_none_nearer(const float *const *x,
     least = sqrtf(footpoint_detail_f_dot(d, d));
     return footpoint_detail_f_greater(least - sqrtf(most) - 100.0f * 6e-8f * (least + sqrtf(most)),
                                       0.0f);
+}
+
+/* Searches n pairs. dist: squares of distances with their signs. */
+FOOTPOINT_PART void
+footpoint_detail_f_quad4_closest_loop(footpoint_detail_f_nearby *nearby, size_t n, const float *const *x,
+                                      float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                      float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                      int *FOOTPOINT_RESTRICT status)
+{
+    const float zero = footpoint_detail_f_zero();
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[3];
+        status[i] = nearby(row, 1, zero, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
 }
 
 /* Finds an answer, with the distance in at. */
@@ -1899,19 +1973,8 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_proved_closest_n(
     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT dist,
     int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
-    const float zero = footpoint_detail_f_zero();
     size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float at[3];
-        status[i] = nearby(row, 1, zero, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
+    footpoint_detail_f_quad4_closest_loop(nearby, n, x, xi, eta, dist, region, status);
     for (i = 0; i < n; i++)
         dist[i] = footpoint_detail_f_signed_root(dist[i]);
     for (i = 0; i < n; i++)
@@ -2185,7 +2248,7 @@ FOOTPOINT_PART unsigned int footpoint_quad4_float_medium_detail_prove(const floa
         footpoint_detail_f_dot(c, c), footpoint_detail_f_dot(a, d), footpoint_detail_f_dot(b, d), footpoint_detail_f_dot(c, d)};
     const float ratio = 1, per = 0.25, unit = 0.25, rounding = 19 * 6e-8f;
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    const footpoint_detail_f_quad4_vectors vectors = {x, a, b, c, d, 1, size, rounding, 1};
+    const footpoint_detail_f_quad4_vectors vectors = {x, a, b, c, d, 1, size, rounding, 1, 0};
     const unsigned int doubt =
         footpoint_detail_f_quad4_steps(products, &vectors, promise, fixed, xi, eta);
     return doubt | footpoint_detail_f_quad4_over(a, b, c, d, size, ratio, per, unit, *xi, *eta,
@@ -2205,8 +2268,8 @@ FOOTPOINT_PART int footpoint_quad4_float_medium_detail_approach(const float xA[3
     const float products[9] = {footpoint_detail_f_dot(a, a), footpoint_detail_f_dot(a, b), footpoint_detail_f_dot(b, b), footpoint_detail_f_dot(a, c), footpoint_detail_f_dot(b, c),
         footpoint_detail_f_dot(c, c), footpoint_detail_f_dot(a, d), footpoint_detail_f_dot(b, d), footpoint_detail_f_dot(c, d)};
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    const footpoint_detail_f_quad4_vectors vectors = {x,    a, b, c, d, 1, footpoint_detail_f_dot(a, a) + footpoint_detail_f_dot(b, b) + footpoint_detail_f_dot(c, c), 19 * 6e-8f,
-                                                    1};
+    const footpoint_detail_f_quad4_vectors vectors = {
+        x, a, b, c, d, 1, footpoint_detail_f_dot(a, a) + footpoint_detail_f_dot(b, b) + footpoint_detail_f_dot(c, c), 19 * 6e-8f, 1, lanes && footpoint_detail_f_masks()};
     return footpoint_detail_f_quad4_close(products, &vectors, promise, 1 * 0.25, lanes, xi, eta,
                                           at, region);
 }
@@ -2263,7 +2326,7 @@ FOOTPOINT_PART unsigned int footpoint_quad4_float_balanced_detail_prove(const fl
         footpoint_detail_f_dot(c, c), footpoint_detail_f_dot(a, d), footpoint_detail_f_dot(b, d), footpoint_detail_f_dot(c, d)};
     const float ratio = 1, per = 0.25, unit = 0.25, rounding = 19 * 6e-8f;
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    const footpoint_detail_f_quad4_vectors vectors = {x, a, b, c, d, 1, size, rounding, 1};
+    const footpoint_detail_f_quad4_vectors vectors = {x, a, b, c, d, 1, size, rounding, 1, 0};
     const unsigned int doubt =
         footpoint_detail_f_quad4_steps(products, &vectors, promise, fixed, xi, eta);
     return doubt | footpoint_detail_f_quad4_over(a, b, c, d, size, ratio, per, unit, *xi, *eta,
@@ -2283,8 +2346,8 @@ FOOTPOINT_PART int footpoint_quad4_float_balanced_detail_approach(const float xA
     const float products[9] = {footpoint_detail_f_dot(a, a), footpoint_detail_f_dot(a, b), footpoint_detail_f_dot(b, b), footpoint_detail_f_dot(a, c), footpoint_detail_f_dot(b, c),
         footpoint_detail_f_dot(c, c), footpoint_detail_f_dot(a, d), footpoint_detail_f_dot(b, d), footpoint_detail_f_dot(c, d)};
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    const footpoint_detail_f_quad4_vectors vectors = {x,    a, b, c, d, 1, footpoint_detail_f_dot(a, a) + footpoint_detail_f_dot(b, b) + footpoint_detail_f_dot(c, c), 19 * 6e-8f,
-                                                    1};
+    const footpoint_detail_f_quad4_vectors vectors = {
+        x, a, b, c, d, 1, footpoint_detail_f_dot(a, a) + footpoint_detail_f_dot(b, b) + footpoint_detail_f_dot(c, c), 19 * 6e-8f, 1, lanes && footpoint_detail_f_masks()};
     return footpoint_detail_f_quad4_close(products, &vectors, promise, 1 * 0.25, lanes, xi, eta,
                                           at, region);
 }

@@ -393,14 +393,51 @@ FOOTPOINT_PART unsigned long long footpoint_detail_fast(void)
     return (unsigned long long)FOOTPOINT_LOOSE << 63;
 }
 
-/* Returns the greater number; a comparison with NaN raises no exception. */
-FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+/* Compares numbers; NaN raises no exception. */
+FOOTPOINT_PART int footpoint_detail_exceeds(double a, double b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(a, b) ? a : b;
+    return __builtin_isgreater(a, b);
 #else
-    return a > b ? a : b;
+    return a > b;
 #endif
+}
+
+/* Returns 1 if loops over pairs are worth masks: compilers have vectors of numbers and of their bits. */
+FOOTPOINT_PART int footpoint_detail_masks(void)
+{
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(FOOTPOINT_DEVICE)
+    return sizeof(double) == sizeof(double);
+#else
+    return 0;
+#endif
+}
+
+/* Returns a or b. masked = 1: by a mask of bits, in loops of which compilers would otherwise make branches. */
+FOOTPOINT_PART double footpoint_detail_choose(int masked, int first, double a, double b)
+{
+    union {
+        double number;
+        unsigned long long bits;
+    } x, y;
+    const unsigned long long mask = (unsigned long long)0 - (unsigned long long)first;
+    if (!masked)
+        return first ? a : b;
+    x.number = a;
+    y.number = b;
+    x.bits = (x.bits & mask) | (y.bits & ~mask);
+    return x.number;
+}
+
+/* Returns the greater number. */
+FOOTPOINT_PART double footpoint_detail_greater_of(int masked, double a, double b)
+{
+    return footpoint_detail_choose(masked, footpoint_detail_exceeds(a, b), a, b);
+}
+
+FOOTPOINT_PART double footpoint_detail_greater(double a, double b)
+{
+    return footpoint_detail_exceeds(a, b) ? a : b;
 }
 
 /* Returns the sum of the absolute values. */
@@ -1045,14 +1082,51 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_fast(void)
     return (unsigned int)FOOTPOINT_LOOSE << 31;
 }
 
-/* Returns the greater number; a comparison with NaN raises no exception. */
-FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
+/* Compares numbers; NaN raises no exception. */
+FOOTPOINT_PART int footpoint_detail_f_exceeds(float a, float b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(a, b) ? a : b;
+    return __builtin_isgreater(a, b);
 #else
-    return a > b ? a : b;
+    return a > b;
 #endif
+}
+
+/* Returns 1 if loops over pairs are worth masks: compilers have vectors of numbers and of their bits. */
+FOOTPOINT_PART int footpoint_detail_f_masks(void)
+{
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(FOOTPOINT_DEVICE)
+    return sizeof(float) == sizeof(double);
+#else
+    return 0;
+#endif
+}
+
+/* Returns a or b. masked = 1: by a mask of bits, in loops of which compilers would otherwise make branches. */
+FOOTPOINT_PART float footpoint_detail_f_choose(int masked, int first, float a, float b)
+{
+    union {
+        float number;
+        unsigned int bits;
+    } x, y;
+    const unsigned int mask = (unsigned int)0 - (unsigned int)first;
+    if (!masked)
+        return first ? a : b;
+    x.number = a;
+    y.number = b;
+    x.bits = (x.bits & mask) | (y.bits & ~mask);
+    return x.number;
+}
+
+/* Returns the greater number. */
+FOOTPOINT_PART float footpoint_detail_f_greater_of(int masked, float a, float b)
+{
+    return footpoint_detail_f_choose(masked, footpoint_detail_f_exceeds(a, b), a, b);
+}
+
+FOOTPOINT_PART float footpoint_detail_f_greater(float a, float b)
+{
+    return footpoint_detail_f_exceeds(a, b) ? a : b;
 }
 
 /* Returns the sum of the absolute values. */
@@ -2206,24 +2280,26 @@ FOOTPOINT_PART void footpoint_detail_triangle_bisect(const double *const *x, dou
     (void)at;
 }
 
-/* Returns a if x > 0, otherwise b. */
+/* Returns a if x > 0, otherwise b. masked: see footpoint_detail_choose. */
+FOOTPOINT_PART double footpoint_detail_pick_of(int masked, double x, double a, double b)
+{
+    return footpoint_detail_choose(masked, footpoint_detail_exceeds(x, 0.0), a, b);
+}
+
 FOOTPOINT_PART double footpoint_detail_pick(double x, double a, double b)
 {
-#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(x, 0.0) ? a : b;
-#else
-    return x > 0.0 ? a : b;
-#endif
+    return footpoint_detail_exceeds(x, 0.0) ? a : b;
 }
 
 /* Returns the lesser number. */
+FOOTPOINT_PART double footpoint_detail_least_of(int masked, double a, double b)
+{
+    return footpoint_detail_choose(masked, footpoint_detail_exceeds(b, a), a, b);
+}
+
 FOOTPOINT_PART double footpoint_detail_least(double a, double b)
 {
-#if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(b, a) ? a : b;
-#else
-    return a < b ? a : b;
-#endif
+    return footpoint_detail_exceeds(b, a) ? a : b;
 }
 
 FOOTPOINT_PART double footpoint_detail_length(const double a[3])
@@ -3476,6 +3552,30 @@ FOOTPOINT_COLD double footpoint_detail_quad9_none_nearer(const double *const *x,
     return sqrt(footpoint_detail_greater(f, 0.0));
 }
 
+/* Searches n pairs. dist: squares of distances with their signs. */
+FOOTPOINT_PART void
+footpoint_detail_quad9_closest_loop(footpoint_detail_nearby *nearby, size_t n, const double *const *x,
+                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                    int *FOOTPOINT_RESTRICT status)
+{
+    const double zero = footpoint_detail_zero();
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[10][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]},
+            {x[27][i], x[28][i], x[29][i]}};
+        const double *const row[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
+        double at[3];
+        status[i] = nearby(row, 1, zero, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+}
+
 /* Finds an answer, with the distance in at. */
 FOOTPOINT_PART int footpoint_detail_quad9_proved_closest(footpoint_detail_nearby *nearby,
                                                          const double *const *x, int scalable,
@@ -3503,21 +3603,8 @@ FOOTPOINT_PART void footpoint_detail_quad9_proved_closest_n(
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
     int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
-    const double zero = footpoint_detail_zero();
     size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[10][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]},
-            {x[27][i], x[28][i], x[29][i]}};
-        const double *const row[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
-        double at[3];
-        status[i] = nearby(row, 1, zero, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
+    footpoint_detail_quad9_closest_loop(nearby, n, x, xi, eta, dist, region, status);
     for (i = 0; i < n; i++)
         dist[i] = footpoint_detail_signed_root(dist[i]);
     for (i = 0; i < n; i++)

@@ -545,6 +545,45 @@ static void arrays_match_single_calls(void **state)
     }
 }
 
+/* Arrays of any length return what a long one does, to the bit unless compilers fuse operations, and write nothing else. */
+static void arrays_of_any_length_are_alike(void **state)
+{
+    static const size_t length[] = {1, 2, 3, 7, 8, 9, 31, 32, 33, 71};
+    enum { MOST = 71, GUARD = 12345 };
+    static struct hard_case h[PAIRS];
+    static double column[15][PAIRS], all[3][PAIRS], part[3][MOST + 1];
+    static int where[PAIRS], ends[PAIRS], region[MOST + 1], status[MOST + 1];
+    const double *x[15];
+    (void)state;
+    draw_all(PAIRS, h);
+    for (int k = 0; k < 15; k++)
+        for (int i = 0; i < PAIRS; i++)
+            column[k][i] = h[i].x[k / 3][k % 3];
+    for (int f = 0; f < FUNCTIONS; f++) {
+        for (int k = 0; k < 15; k++)
+            x[k] = column[k];
+        functions[f].many(PAIRS, x, all[0], all[1], all[2], where, ends);
+        size_t from = 0;
+        for (size_t l = 0; l < sizeof length / sizeof *length; from += length[l++]) {
+            const size_t n = length[l];
+            assert_true(from + n <= PAIRS);
+            for (int k = 0; k < 15; k++)
+                x[k] = column[k] + from;
+            part[0][n] = part[1][n] = part[2][n] = region[n] = status[n] = GUARD;
+            functions[f].many(n, x, part[0], part[1], part[2], region, status);
+            assert_true(part[0][n] == GUARD && part[1][n] == GUARD && part[2][n] == GUARD);
+            assert_true(region[n] == GUARD && status[n] == GUARD);
+#ifndef __FMA__
+            for (size_t i = 0; i < n; i++) {
+                assert_int_equal(status[i], ends[from + i]);
+                for (int k = 0; k < 3 && status[i] >= FOOTPOINT_OK; k++)
+                    assert_true(part[k][i] == all[k][from + i] && region[i] == where[from + i]);
+            }
+#endif
+        }
+    }
+}
+
 /* With several faces, OK means that no point of any face is nearer. */
 static void the_nearest_of_several_faces_is_proved(void **state)
 {
@@ -594,6 +633,7 @@ int main(void)
         cmocka_unit_test(closest_points_keep_the_promise),
         cmocka_unit_test(closest_points_of_hard_faces_keep_the_promise),
         cmocka_unit_test(arrays_match_single_calls),
+        cmocka_unit_test(arrays_of_any_length_are_alike),
         cmocka_unit_test(the_nearest_of_several_faces_is_proved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

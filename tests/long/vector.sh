@@ -82,6 +82,15 @@ for kind in tri3 quad4 tri6 quad8 quad9 bezier gregory; do
     done
 done
 
+# Closest points on four-node faces, whatever the flags.
+{
+    echo "#include \"$PWD/generated/footpoint_quad4.h\""
+    echo 'void use(size_t n, const double *const *x, double *xi, double *eta, double *dist, int *region, int *status);'
+    echo 'void use(size_t n, const double *const *x, double *xi, double *eta, double *dist, int *region, int *status)'
+    echo '{ footpoint_quad4_accurate_closest_n(n, x, xi, eta, dist, region, status); }'
+} > "$work/use.c"
+packed 'footpoint_quad4_accurate_closest_n' 400 ymm -O2 -mavx2
+
 # Along a direction, with fewer operations than they have.
 for row in tri3:120 quad4:250 tri6:600 quad8:800 quad9:900; do
     name=footpoint_${row%:*}_along_n

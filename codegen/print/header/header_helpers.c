@@ -55,7 +55,7 @@ static void print_answers(const struct unit *u, FILE *out)
     char *errors = new_format("single_%s", u->file->segment->name);
     if (patch)
         templates_print("FOOTPOINT_DETAIL_PRODUCTS", (const char *const[]){"products", NULL}, precision, NULL, out);
-    if (bilinear || curved || patch)
+    if (bilinear || curved || patch || promise == PROMISE_LINEAR)
         templates_print("FOOTPOINT_DETAIL_BOUNDS", (const char *const[]){"bounds", NULL}, precision, NULL, out);
     if (curved || patch)
         templates_print("FOOTPOINT_DETAIL_LOCAL", (const char *const[]){"curved_local", NULL}, precision, NULL, out);

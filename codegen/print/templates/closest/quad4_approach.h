@@ -6,8 +6,8 @@ FOOTPOINT_PART int NAME_detail_approach(NODE_PARAMETERS, REAL promise, int lanes
     VECTOR_STATEMENTS
     const REAL products[9] = {PRODUCT_LIST};
     const REAL *const x[VECTORS] = {NODE_NAMES};
-    const footpoint_detail_quad4_vectors vectors = {x,    a, b, c, d, OVER, SIZE, UNITS * REAL_UNIT,
-                                                    TWIST};
+    const footpoint_detail_quad4_vectors vectors = {
+        x, a, b, c, d, OVER, SIZE, UNITS * REAL_UNIT, TWIST, lanes && footpoint_detail_masks()};
     return footpoint_detail_quad4_close(products, &vectors, promise, RATIO * PER, lanes, xi, eta,
                                         at, region);
 }

@@ -22,6 +22,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_here(const REAL p[9],
         y[i] = r->b[i] + u * r->c[i];
         w[i] = r->over * r->d[i] - u * r->a[i] - v * y[i];
     }
+    q->masked = r->masked;
     q->u = u;
     q->v = v;
     q->cc = p[5];

@@ -42,6 +42,7 @@ FOOTPOINT_COLD void footpoint_detail_quad4_look(const footpoint_detail_quad4_fac
         y[i] = r->b[i] + u * r->c[i];
         w[i] = r->d[i] - u * r->a[i] - v * y[i];
     }
+    q->masked = 0;
     q->u = u;
     q->v = v;
     q->uu = footpoint_detail_dot(x, x);
@@ -189,8 +190,8 @@ FOOTPOINT_COLD int footpoint_detail_quad4_certain(const footpoint_detail_quad4_f
     bounds.off_g = 24.0 * unit * (r->second * r->far);
     bounds.off_det = 30.0 * off_mixed * (r->first * r->second);
     bounds.off_rows = off_mixed + 15.0 * unit * (r->first * r->first + r->second * r->second);
-    grows = footpoint_detail_quad4_grows(q->u, q->f, bounds.off_f, &f);
-    grows += footpoint_detail_quad4_grows(q->v, q->g, bounds.off_g, &g);
+    grows = footpoint_detail_quad4_grows(0, q->u, q->f, bounds.off_f, &f);
+    grows += footpoint_detail_quad4_grows(0, q->v, q->g, bounds.off_g, &g);
     if (slack > 0.0) {
         slack = (slack * sqrt(q->dd) - 2.0 * (f + g)) / (2.0 * (bounds.wide + bounds.high));
         det = footpoint_detail_quad4_sharp_det(q, grows, 1.0 / (1.0 + slack));
@@ -334,8 +335,8 @@ FOOTPOINT_COLD REAL footpoint_detail_quad4_none_nearer(const REAL *const *x, REA
     int k;
     if (status == FOOTPOINT_OK) {
         footpoint_detail_quad4_surface(x, at[0], at[1], u, v, d);
-        (void)footpoint_detail_quad4_grows(at[0], footpoint_detail_dot(u, d), 0.0, &f);
-        (void)footpoint_detail_quad4_grows(at[1], footpoint_detail_dot(v, d), 0.0, &g);
+        (void)footpoint_detail_quad4_grows(0, at[0], footpoint_detail_dot(u, d), 0.0, &f);
+        (void)footpoint_detail_quad4_grows(0, at[1], footpoint_detail_dot(v, d), 0.0, &g);
         least = at[2] * at[2] - 2.0 * promise * (f + g);
         return sqrt(footpoint_detail_greater(least, 0.0));
     }

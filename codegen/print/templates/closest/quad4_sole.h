@@ -2,9 +2,10 @@
 
 /* The numbers for the proof at (u,v) of r = c0 + xi a + eta b + xi eta c, with a common factor: products of r_xi, r_eta,
  * c and D = xS - r, two letters each: uu = r_xi . r_xi, uc = r_xi . c, ...; slopes f = r_xi . D and g = r_eta . D;
- * and dd = D . D. */
+ * and dd = D . D.  masked: see footpoint_detail_choose. */
 typedef struct {
     REAL u, v, uu, uv, vv, uc, vc, cc, dc, f, g, dd;
+    int masked;
 } footpoint_detail_quad4_local;
 
 /* Bounds over the whole segment: wide >= |r_xi|^2, high >= |r_eta|^2; rounding errors of slopes, off_f and off_g;
@@ -15,17 +16,18 @@ typedef struct {
 
 /* Returns the slope of half the squared distance from an edge of u, of slope f, into the segment; 0 inside.  *falls:
  * the steepest possible fall, f being off by `off`. */
-FOOTPOINT_PART REAL footpoint_detail_quad4_grows(REAL u, REAL f, REAL off, REAL *falls)
+FOOTPOINT_PART REAL footpoint_detail_quad4_grows(int masked, REAL u, REAL f, REAL off, REAL *falls)
 {
-    const REAL outward = footpoint_detail_pick(1.0 - fabs(u), -fabs(f), u * f);
-    *falls = footpoint_detail_greater(off - outward, 0.0);
-    return footpoint_detail_greater(outward, 0.0);
+    const REAL outward = footpoint_detail_pick_of(masked, 1.0 - fabs(u), -fabs(f), u * f);
+    *falls = footpoint_detail_greater_of(masked, off - outward, 0.0);
+    return footpoint_detail_greater_of(masked, outward, 0.0);
 }
 
 /* Returns the largest permitted distance of a point from u: `promise`, and within the region, or REAL_CLOSE. */
-FOOTPOINT_PART REAL footpoint_detail_quad4_reach(REAL u, REAL promise)
+FOOTPOINT_PART REAL footpoint_detail_quad4_reach(int masked, REAL u, REAL promise)
 {
-    return footpoint_detail_least(promise, footpoint_detail_greater(1.0 - fabs(u), REAL_CLOSE));
+    return footpoint_detail_least_of(
+        masked, promise, footpoint_detail_greater_of(masked, 1.0 - fabs(u), REAL_CLOSE));
 }
 
 /* Returns a number Q for footpoint_detail_quad4_sole, from lines below the quadratics; `grows`: the sum of both edges'
@@ -33,11 +35,12 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_reach(REAL u, REAL promise)
 FOOTPOINT_PART REAL footpoint_detail_quad4_least_det(const footpoint_detail_quad4_local *q,
                                                      REAL grows)
 {
-    const REAL bent = footpoint_detail_greater(fabs(q->dc) - 0.5 * grows, 0.0);
+    const REAL bent = footpoint_detail_greater_of(q->masked, fabs(q->dc) - 0.5 * grows, 0.0);
     const REAL mixed = q->uv - copysign(bent, q->dc), det = q->uu * q->vv - mixed * mixed;
     const REAL by_t = 2.0 * (q->vv * q->uc - mixed * q->vc);
     const REAL by_s = 2.0 * (q->uu * q->vc - mixed * q->uc);
-    return det - footpoint_detail_least(fabs(by_t) + by_t * q->v, fabs(by_s) + by_s * q->u);
+    return det -
+           footpoint_detail_least_of(q->masked, fabs(by_t) + by_t * q->v, fabs(by_s) + by_s * q->u);
 }
 
 /* Proves the closest point.  The highest bit of the result is not set if the closest point of the closed segment is proved to lie within
@@ -64,8 +67,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_sole(const footpoint_detail_quad
 {
     const REAL det = least_det - (r->off_det + REAL_MIN);
     REAL room, other;
-    room = footpoint_detail_quad4_reach(q->u, promise) * det;
-    other = footpoint_detail_quad4_reach(q->v, promise) * det;
+    room = footpoint_detail_quad4_reach(q->masked, q->u, promise) * det;
+    other = footpoint_detail_quad4_reach(q->masked, q->v, promise) * det;
     room = room * (0.999 * room - 4.0 * (r->high * f)) - 4.0 * (r->wide * r->high) * (g * g);
     other = other * (0.999 * other - 4.0 * (r->wide * g)) - 4.0 * (r->wide * r->high) * (f * f);
     return footpoint_detail_bits(det) | footpoint_detail_bits(room) | footpoint_detail_bits(other) |
@@ -87,16 +90,20 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_within(const footpoint_detail_qu
     const REAL mixed = q->uv - q->dc, turn = fabs(mixed), det = q->uu * q->vv - mixed * mixed;
     const REAL held = 2.0 * close * (r->wide + r->high + fabs(q->dc));
     const REAL both =
-        promise * det - 1.05 * footpoint_detail_greater(q->vv * f + turn * g, q->uu * g + turn * f);
+        promise * det -
+        1.05 * footpoint_detail_greater_of(q->masked, q->vv * f + turn * g, q->uu * g + turn * f);
     const REAL of_u = promise * q->uu - 1.05 * f, of_v = promise * q->vv - 1.05 * g;
-    const REAL clear_u = footpoint_detail_pick(in_u, in_u - close, q->u * q->f - r->off_f - held);
-    const REAL clear_v = footpoint_detail_pick(in_v, in_v - close, q->v * q->g - r->off_g - held);
-    const REAL room = footpoint_detail_pick(in_u, footpoint_detail_pick(in_v, both, of_u),
-                                            footpoint_detail_pick(in_v, of_v, 1.0));
+    const REAL clear_u =
+        footpoint_detail_pick_of(q->masked, in_u, in_u - close, q->u * q->f - r->off_f - held);
+    const REAL clear_v =
+        footpoint_detail_pick_of(q->masked, in_v, in_v - close, q->v * q->g - r->off_g - held);
+    const REAL room = footpoint_detail_pick_of(
+        q->masked, in_u, footpoint_detail_pick_of(q->masked, in_v, both, of_u),
+        footpoint_detail_pick_of(q->masked, in_v, of_v, 1.0));
     return footpoint_detail_bits(clear_u) | footpoint_detail_bits(clear_v) |
            footpoint_detail_bits(room) |
-           footpoint_detail_bits(footpoint_detail_pick(footpoint_detail_least(in_u, in_v),
-                                                       det - 20000.0 * REAL_UNIT * (mixed * mixed),
-                                                       1.0)) |
+           footpoint_detail_bits(
+               footpoint_detail_pick_of(q->masked, footpoint_detail_least_of(q->masked, in_u, in_v),
+                                        det - 20000.0 * REAL_UNIT * (mixed * mixed), 1.0)) |
            footpoint_detail_infinite(room + clear_u + clear_v);
 }

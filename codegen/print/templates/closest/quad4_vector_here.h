@@ -24,6 +24,7 @@ FOOTPOINT_PART void footpoint_detail_quad4_here(const REAL p[9],
         more[i] = all[i] + at.W[i];
     }
     (void)finely;
+    q->masked = r->masked;
     q->u = u;
     q->v = v;
     q->uu = footpoint_detail_dot(x, x);

@@ -6,14 +6,51 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_fast(void)
     return (REAL_BITS)FOOTPOINT_LOOSE << REAL_TOP;
 }
 
-/* Returns the greater number; a comparison with NaN raises no exception. */
-FOOTPOINT_PART REAL footpoint_detail_greater(REAL a, REAL b)
+/* Compares numbers; NaN raises no exception. */
+FOOTPOINT_PART int footpoint_detail_exceeds(REAL a, REAL b)
 {
 #if defined(__GNUC__) && !defined(FOOTPOINT_DEVICE)
-    return __builtin_isgreater(a, b) ? a : b;
+    return __builtin_isgreater(a, b);
 #else
-    return a > b ? a : b;
+    return a > b;
 #endif
+}
+
+/* Returns 1 if loops over pairs are worth masks: compilers have vectors of numbers and of their bits. */
+FOOTPOINT_PART int footpoint_detail_masks(void)
+{
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(FOOTPOINT_DEVICE)
+    return sizeof(REAL) == sizeof(double);
+#else
+    return 0;
+#endif
+}
+
+/* Returns a or b. masked = 1: by a mask of bits, in loops of which compilers would otherwise make branches. */
+FOOTPOINT_PART REAL footpoint_detail_choose(int masked, int first, REAL a, REAL b)
+{
+    union {
+        REAL number;
+        REAL_BITS bits;
+    } x, y;
+    const REAL_BITS mask = (REAL_BITS)0 - (REAL_BITS)first;
+    if (!masked)
+        return first ? a : b;
+    x.number = a;
+    y.number = b;
+    x.bits = (x.bits & mask) | (y.bits & ~mask);
+    return x.number;
+}
+
+/* Returns the greater number. */
+FOOTPOINT_PART REAL footpoint_detail_greater_of(int masked, REAL a, REAL b)
+{
+    return footpoint_detail_choose(masked, footpoint_detail_exceeds(a, b), a, b);
+}
+
+FOOTPOINT_PART REAL footpoint_detail_greater(REAL a, REAL b)
+{
+    return footpoint_detail_exceeds(a, b) ? a : b;
 }
 
 /* Returns the sum of the absolute values. */

@@ -10,7 +10,7 @@ typedef struct {
     const REAL *const *x;
     const REAL *a, *b, *c, *d;
     REAL over, size, rounding;
-    int twist;
+    int twist, masked;
 } footpoint_detail_quad4_vectors;
 
 /* Values at (xi,eta), four times: u = r_xi, v = r_eta, w = xS - r, c; and for each coordinate the sum of the absolute

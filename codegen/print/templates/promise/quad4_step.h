@@ -53,16 +53,16 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
     const REAL f = (products[6] - p * u) - q * z, g = (products[7] - q * v) - p * z;
     const REAL per = 1.0 / (uu * vv - r12 * r12);
     const REAL s = (vv * f - r12 * g) * per, t = (uu * g - r12 * f) * per;
-    const REAL step = footpoint_detail_greater(fabs(s), fabs(t));
-    const REAL beta = (footpoint_detail_greater(fabs(uu), fabs(vv)) + mixed) * per;
+    const REAL step = footpoint_detail_greater_of(r->masked, fabs(s), fabs(t));
+    const REAL beta = (footpoint_detail_greater_of(r->masked, fabs(uu), fabs(vv)) + mixed) * per;
     const REAL rounding = r->rounding - 4.0 * REAL_UNIT; /* k + 6 */
     REAL off, left = step * (1.0 / 3.0), h, room, other;
     if (promise < 1e-9) {
         REAL off_f, off_g;
         footpoint_detail_quad4_off(products, r, rounding, fabs(p) + 6.0 * step,
                                    fabs(q) + 6.0 * step, &off_f, &off_g);
-        off =
-            per * footpoint_detail_greater(vv * off_f + mixed * off_g, uu * off_g + mixed * off_f);
+        off = per * footpoint_detail_greater_of(r->masked, vv * off_f + mixed * off_g,
+                                                uu * off_g + mixed * off_f);
     } else
         off = beta * rounding *
               (2.0 * (r->over * r->over * footpoint_detail_dot(r->d, r->d)) +
@@ -74,7 +74,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_step(const REAL products[9],
         const REAL m = t * ((2.0 * tu * s + tv * t) + both * t);
         const REAL n = s * ((2.0 * tv * t + tu * s) + both * t);
         const REAL x = h12 * n - (vv * per) * m, y = h12 * m - (uu * per) * n;
-        left = footpoint_detail_greater(fabs(x), fabs(y));
+        left = footpoint_detail_greater_of(r->masked, fabs(x), fabs(y));
         *xi += x;
         *eta += y;
     }
