@@ -3306,12 +3306,11 @@ FOOTPOINT_PART void footpoint_detail_quad4_closest_side(footpoint_detail_nearby 
     }
 }
 
-/* Searches n pairs, the last two one by one. dist: squares of distances with their signs. */
-FOOTPOINT_PART void
-footpoint_detail_quad4_closest_loop(footpoint_detail_nearby *nearby, size_t n, const double *const *x,
-                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                    int *FOOTPOINT_RESTRICT status)
+/* Searches pairs while there are more than two, and returns how many. dist: squares of distances with their signs. */
+FOOTPOINT_PART size_t footpoint_detail_quad4_closest_blocks(
+    footpoint_detail_nearby *nearby, size_t n, const double *const *x, double *FOOTPOINT_RESTRICT xi,
+    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+    int *FOOTPOINT_RESTRICT status)
 {
     const double zero = footpoint_detail_zero();
     footpoint_detail_quad4_closest_block t;
@@ -3335,17 +3334,7 @@ footpoint_detail_quad4_closest_loop(footpoint_detail_nearby *nearby, size_t n, c
             status[i] = t.status[k];
         }
     }
-    FOOTPOINT_EACH
-    for (; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double at[3];
-        status[i] = nearby(row, !footpoint_detail_masks(), zero, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
+    return i;
 }
 
 /* Finds an answer, with the distance in at. */
@@ -3375,8 +3364,19 @@ FOOTPOINT_PART void footpoint_detail_quad4_proved_closest_n(
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
     int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    footpoint_detail_quad4_closest_loop(nearby, n, x, xi, eta, dist, region, status);
+    const double zero = footpoint_detail_zero();
+    size_t i = footpoint_detail_quad4_closest_blocks(nearby, n, x, xi, eta, dist, region, status);
+    FOOTPOINT_EACH
+    for (; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double at[3];
+        status[i] = nearby(row, !footpoint_detail_masks(), zero, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
     for (i = 0; i < n; i++)
         dist[i] = footpoint_detail_signed_root(dist[i]);
     for (i = 0; i < n; i++)

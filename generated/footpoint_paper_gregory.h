@@ -5024,27 +5024,13 @@ FOOTPOINT_APART int footpoint_detail_gregory_close(const double *const *x, doubl
            FOOTPOINT_ERR_DOMAIN * (int)((beyond & ~doubt) >> 63);
 }
 
-/* Searches n pairs. dist: squares of distances with their signs. */
-FOOTPOINT_PART void
-footpoint_detail_gregory_closest_loop(footpoint_detail_nearby *nearby, size_t n, const double *const *x,
-                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
-                                      double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                      int *FOOTPOINT_RESTRICT status)
+FOOTPOINT_PART size_t footpoint_detail_gregory_closest_blocks(
+    footpoint_detail_nearby *nearby, size_t n, const double *const *x, double *FOOTPOINT_RESTRICT xi,
+    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+    int *FOOTPOINT_RESTRICT status)
 {
-    const double zero = footpoint_detail_zero();
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double at[3];
-        status[i] = nearby(row, 1, zero, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
+    (void)nearby, (void)n, (void)x, (void)xi, (void)eta, (void)dist, (void)region, (void)status;
+    return 0;
 }
 
 /* Finds an answer, with the distance in at. */
@@ -5074,8 +5060,20 @@ FOOTPOINT_PART void footpoint_detail_gregory_proved_closest_n(
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
     int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    footpoint_detail_gregory_closest_loop(nearby, n, x, xi, eta, dist, region, status);
+    const double zero = footpoint_detail_zero();
+    size_t i = footpoint_detail_gregory_closest_blocks(nearby, n, x, xi, eta, dist, region, status);
+    FOOTPOINT_EACH
+    for (; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double at[3];
+        status[i] = nearby(row, !footpoint_detail_masks(), zero, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
     for (i = 0; i < n; i++)
         dist[i] = footpoint_detail_signed_root(dist[i]);
     for (i = 0; i < n; i++)

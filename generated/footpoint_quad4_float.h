@@ -1924,26 +1924,13 @@ FOOTPOINT_COLD float footpoint_detail_f_quad4_none_nearer(const float *const *x,
                                       0.0f);
 }
 
-/* Searches n pairs. dist: squares of distances with their signs. */
-FOOTPOINT_PART void
-footpoint_detail_f_quad4_closest_loop(footpoint_detail_f_nearby *nearby, size_t n, const float *const *x,
-                                      float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
-                                      float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                      int *FOOTPOINT_RESTRICT status)
+FOOTPOINT_PART size_t footpoint_detail_f_quad4_closest_blocks(
+    footpoint_detail_f_nearby *nearby, size_t n, const float *const *x, float *FOOTPOINT_RESTRICT xi,
+    float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+    int *FOOTPOINT_RESTRICT status)
 {
-    const float zero = footpoint_detail_f_zero();
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float at[3];
-        status[i] = nearby(row, 1, zero, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
+    (void)nearby, (void)n, (void)x, (void)xi, (void)eta, (void)dist, (void)region, (void)status;
+    return 0;
 }
 
 /* Finds an answer, with the distance in at. */
@@ -1973,8 +1960,19 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_proved_closest_n(
     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT dist,
     int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    footpoint_detail_f_quad4_closest_loop(nearby, n, x, xi, eta, dist, region, status);
+    const float zero = footpoint_detail_f_zero();
+    size_t i = footpoint_detail_f_quad4_closest_blocks(nearby, n, x, xi, eta, dist, region, status);
+    FOOTPOINT_EACH
+    for (; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[3];
+        status[i] = nearby(row, !footpoint_detail_f_masks(), zero, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
     for (i = 0; i < n; i++)
         dist[i] = footpoint_detail_f_signed_root(dist[i]);
     for (i = 0; i < n; i++)

@@ -42,7 +42,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
         words="$words $named TRIPLE ROOM THREE OF INTO ABSOLUTE"
         closest="inward fan closest_surface"
         [ "$kind" != quad4 ] || closest="quad4_surface $closest corners"
-        [ "$kind" != tri3 ] || closest="$closest tri3_nearest tri3_sure closest_loop proved_closest_arrays"
+        [ "$kind" != tri3 ] || closest="$closest tri3_nearest tri3_sure closest_alone proved_closest_arrays"
         files=$kind
         [ "$kind" = quad4 ] || files="$files gap"
         [ "$kind" != tri3 ] || files="tri3 tri3_over gap"
@@ -63,13 +63,13 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
         case $kind in
         bezier | gregory)
             files="$files $closest bends_$kind patch_anchor curved_grows patch_form curved_sole patch_ball curved_whole"
-            files="$files curved_within patch_needed curved_split curved_seek patch_close closest_loop proved_closest_arrays"
+            files="$files curved_within patch_needed curved_split curved_seek patch_close closest_alone proved_closest_arrays"
             ;;
         esac
         case $nearest in
         '') ;;
         curved*)
-            files="$files $closest curved_anchor curved_slopes:single_slopes curved_at curved_grows curved_form curved_sole curved_within curved_ball curved_whole curved_close curved_split curved_seek closest_loop proved_closest_arrays"
+            files="$files $closest curved_anchor curved_slopes:single_slopes curved_at curved_grows curved_form curved_sole curved_within curved_ball curved_whole curved_close curved_split curved_seek closest_alone proved_closest_arrays"
             files="$files ${shape}_powers curved_along curved_parts curved_along_full along_again along_calls"
             ;;
         *) files="$files $closest ${nearest}_along along_again along_calls" ;;
@@ -96,7 +96,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
         case $nearest in
         '') ;;
         quad4)
-            files="$files quad4_sole quad4_here:quad4_vector_here quad4_close quad4_repair_closest closest_blocks:closest_loop proved_closest_arrays"
+            files="$files quad4_sole quad4_here:quad4_vector_here quad4_close quad4_repair_closest closest_blocks:closest_alone proved_closest_arrays"
             calls="nearest nearest_shorter quad4_prove quad4_approach $calls from_calls:double quad4_nearby:quad4_vector_nearby proved_closest_calls quad4_closest_from"
             ;;
         curved*) calls="$calls from_calls:double curved_nearby proved_closest_calls" ;;

@@ -32,7 +32,7 @@ static void print_proved(const struct unit *u, FILE *out)
                                     single ? "quad4_vector_here" : "quad4_here",
                                     "quad4_close",
                                     "quad4_repair_closest",
-                                    single ? "closest_loop" : "closest_blocks",
+                                    single ? "closest_alone" : "closest_blocks",
                                     "proved_closest_arrays",
                                     NULL};
     const char *const curved[] = {"inward",
@@ -50,16 +50,16 @@ static void print_proved(const struct unit *u, FILE *out)
                                   "curved_close",
                                   "curved_split",
                                   "curved_seek",
-                                  "closest_loop",
+                                  "closest_alone",
                                   "proved_closest_arrays",
                                   NULL};
-    static const char *const linear[] = {"inward",    "fan",          "closest_surface",       "tri3_nearest",
-                                         "tri3_sure", "closest_loop", "proved_closest_arrays", NULL};
+    static const char *const linear[] = {"inward",    "fan",           "closest_surface",       "tri3_nearest",
+                                         "tri3_sure", "closest_alone", "proved_closest_arrays", NULL};
     char *bends = new_format("bends_%s", u->file->segment->name);
     const char *const patch[] = {
-        "inward",       "fan",         "closest_surface", bends,          "patch_anchor",          "curved_grows",
-        "patch_form",   "curved_sole", "patch_ball",      "curved_whole", "curved_within",         "patch_needed",
-        "curved_split", "curved_seek", "patch_close",     "closest_loop", "proved_closest_arrays", NULL};
+        "inward",       "fan",         "closest_surface", bends,           "patch_anchor",          "curved_grows",
+        "patch_form",   "curved_sole", "patch_ball",      "curved_whole",  "curved_within",         "patch_needed",
+        "curved_split", "curved_seek", "patch_close",     "closest_alone", "proved_closest_arrays", NULL};
     const enum promise_kind kind = promise_kind_of(u);
     if (kind == PROMISE_LINEAR)
         print_shared(u, "FOOTPOINT_DETAIL_EDGE", "edge", out);

@@ -1,5 +1,6 @@
 /* Prints the search: from nodes, numbered as in the mesh, to xi, eta and the gap. A genome NAME of a segment becomes
- *   NAME_at: xi and eta by straight-line code, corners in the order that the scene assumes, unchecked;
+ *   NAME_at: xi and eta by straight-line code, of patches also with steps, corners in the order that the scene assumes,
+ *            unchecked;
  *   NAME: xi, eta and the signed gap (9), corners in any order, segments of any size, with a status.
  *
  * header_arrays.h prints searches over arrays and from the last answer, header_closest.h NAME_closest. */

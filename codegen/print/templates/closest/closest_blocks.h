@@ -29,12 +29,11 @@ FOOTPOINT_PART void footpoint_detail_KIND_closest_side(footpoint_detail_nearby *
     }
 }
 
-/* Searches n pairs, the last two one by one. dist: squares of distances with their signs. */
-FOOTPOINT_PART void
-footpoint_detail_KIND_closest_loop(footpoint_detail_nearby *nearby, size_t n, const REAL *const *x,
-                                   REAL *FOOTPOINT_RESTRICT xi, REAL *FOOTPOINT_RESTRICT eta,
-                                   REAL *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
-                                   int *FOOTPOINT_RESTRICT status)
+/* Searches pairs while there are more than two, and returns how many. dist: squares of distances with their signs. */
+FOOTPOINT_PART size_t footpoint_detail_KIND_closest_blocks(
+    footpoint_detail_nearby *nearby, size_t n, const REAL *const *x, REAL *FOOTPOINT_RESTRICT xi,
+    REAL *FOOTPOINT_RESTRICT eta, REAL *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+    int *FOOTPOINT_RESTRICT status)
 {
     const REAL zero = footpoint_detail_zero();
     footpoint_detail_KIND_closest_block t;
@@ -58,14 +57,5 @@ footpoint_detail_KIND_closest_loop(footpoint_detail_nearby *nearby, size_t n, co
             status[i] = t.status[k];
         }
     }
-    FOOTPOINT_EACH
-    for (; i < n; i++) {
-        const REAL p[VECTORS][3] = {COLUMNS};
-        const REAL *const row[VECTORS] = {ROWS};
-        REAL at[3];
-        status[i] = nearby(row, !footpoint_detail_masks(), zero, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
+    return i;
 }

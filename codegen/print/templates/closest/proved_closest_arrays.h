@@ -27,8 +27,18 @@ FOOTPOINT_PART void footpoint_detail_KIND_proved_closest_n(
     REAL *FOOTPOINT_RESTRICT xi, REAL *FOOTPOINT_RESTRICT eta, REAL *FOOTPOINT_RESTRICT dist,
     int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    footpoint_detail_KIND_closest_loop(nearby, n, x, xi, eta, dist, region, status);
+    const REAL zero = footpoint_detail_zero();
+    size_t i = footpoint_detail_KIND_closest_blocks(nearby, n, x, xi, eta, dist, region, status);
+    FOOTPOINT_EACH
+    for (; i < n; i++) {
+        const REAL p[VECTORS][3] = {COLUMNS};
+        const REAL *const row[VECTORS] = {ROWS};
+        REAL at[3];
+        status[i] = nearby(row, !footpoint_detail_masks(), zero, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
     for (i = 0; i < n; i++)
         dist[i] = footpoint_detail_signed_root(dist[i]);
     for (i = 0; i < n; i++)
