@@ -157,6 +157,8 @@ use() {
         call = name at "("
         for (i = 0; i < ins; i++)
             call = call (i ? ", " : "") (segment ? "p + " 3 * i : "p[" i "]")
+        if (apart[name]) # NAME_at takes steps instead
+            call = "for (k = 0; k < " 3 * ins "; k++) column[k][0] = p[k];\n          " name "_n(1, x"
         if (points[name]) {
             printf "      for (i = 0; i < sizeof %s_points / sizeof *%s_points; i++) {\n", name, name
             printf "          const double *p = %s_points[i];\n          %s", name, call
@@ -174,6 +176,7 @@ use() {
         printf "%s); }\n", status ? ", status" : ""
     }
     FILENAME ~ /_points.h$/ { if (/_points\[\]/) { sub(/_points.*/, "", $4); points[$4] = 1 } next }
+    /_n is the genome\. \*\/$/ { name = $(NF - 4); sub(/_n$/, "", name); apart[name] = 1 }
     /^FOOTPOINT_LOOP/ { text = $0; while (text !~ /\)/) { getline; text = text " " $0 }
         name = text; sub(/^FOOTPOINT_LOOP void /, "", name); sub(/_n\(.*/, "", name)
         segment = match(text, /\*const x\[[0-9]+\]/); at = segment ? "_at" : ""
