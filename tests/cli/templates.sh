@@ -129,10 +129,10 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
             echo "void ${kind}_run(const void *begin, int bare, footpoint_detail_search *search, const REAL *const *segment, size_t n, const REAL *const *x, REAL promise, REAL *xi, REAL *eta, REAL *gap, int *status);"
             case $kind in
             quad4 | tri6 | quad8 | quad9) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' 'LANE_TOP REAL_TOP' "BLOCK footpoint_detail_${kind}_block" "SIDE footpoint_detail_${kind}_side" ;;
-            *_lanes) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' "BLOCK ${kind}_block" "NARROW ${kind}_narrow" 'ALONE_SEARCH footpoint_detail_search' "ALONE_ANSWER footpoint_detail_${kind%_lanes}_answer" "ALONE_FURTHER footpoint_detail_${kind%_lanes}_further" ;;
+            *_lanes) printf '#define %s\n' 'LANE REAL' 'LANE_BITS REAL_BITS' "BLOCK ${kind}_block" "NARROW ${kind}_narrow" "NARROW_of ${kind}_narrow_of" 'ALONE_SEARCH footpoint_detail_search' "ALONE_ANSWER footpoint_detail_${kind%_lanes}_answer" "ALONE_FURTHER footpoint_detail_${kind%_lanes}_further" ;;
             esac
             printf '#define %s\n' "RUN ${kind}_run" 'ONCE_BEGIN NULL'
-            words="$words LANE LANE_BITS LANE_TOP SIDE BLOCK NARROW ALONE_SEARCH ALONE_ANSWER ALONE_FURTHER RUN ONCE_BEGIN"
+            words="$words LANE LANE_BITS LANE_TOP SIDE BLOCK NARROW NARROW_of ALONE_SEARCH ALONE_ANSWER ALONE_FURTHER RUN ONCE_BEGIN"
             case $kind in tri6 | quad8 | quad9) ;; *) echo "REAL_BITS footpoint_detail_${kind}_curved(const REAL *const *x, REAL promise, int bare, int fixed, REAL least, REAL *xi, REAL *eta, REAL *gap);" ;; esac
             [ "$kind" = tri3 ] || [ "$kind" = quad4 ] || echo "REAL_BITS ${kind}_name_detail_gap($parameters, REAL xi, REAL eta, REAL *gap);"
             echo "int ${kind}_approach($parameters, REAL promise, int lanes, REAL xi, REAL eta, REAL at[3], int *region);"
