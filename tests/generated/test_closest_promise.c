@@ -502,23 +502,23 @@ static void draw_all(int n, struct hard_case *h)
     uint64_t stream = 62;
     for (int i = 0; i < n; i++) {
         const int family = i % (FAMILIES + hard_family_count);
-        if (family < FAMILIES)
-            families[family].draw(&stream, &h[i]);
-        else
+        if (family >= FAMILIES)
             hard_draw(family - FAMILIES, 4, (uint64_t)i, &h[i]);
+        else
+            families[family].draw(&stream, &h[i]);
     }
 }
 
 /* Arrays of any length give the answers of calls, to the bit unless operations are fused, and write nothing else. */
 static void arrays_match_single_calls(void **state)
 {
-    (void)state;
     static const size_t length[] = {1, 2, 3, 7, 8, 9, 31, 32, 33, 74}; /* PAIRS in all */
     static struct hard_case h[PAIRS];
     static double column[15][PAIRS], xi[PAIRS + 1], eta[PAIRS + 1], dist[PAIRS + 1];
     static int region[PAIRS + 1], status[PAIRS + 1];
     static struct judged j[PAIRS];
     const double *x[15];
+    (void)state;
     draw_all(PAIRS, h);
     for (int i = 0; i < PAIRS; i++)
         take(&h[i], &j[i]);
@@ -593,11 +593,9 @@ static void the_nearest_of_several_faces_is_proved(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closest_points_keep_the_promise),
-        cmocka_unit_test(closest_points_of_hard_faces_keep_the_promise),
-        cmocka_unit_test(arrays_match_single_calls),
-        cmocka_unit_test(the_nearest_of_several_faces_is_proved),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(closest_points_keep_the_promise),
+                                       cmocka_unit_test(closest_points_of_hard_faces_keep_the_promise),
+                                       cmocka_unit_test(arrays_match_single_calls),
+                                       cmocka_unit_test(the_nearest_of_several_faces_is_proved)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
