@@ -118,6 +118,8 @@ $(call demand,ISAS,$(if $(filter-out $(ALL_ISAS) quick,$(ISAS)),,$(ISAS)),not in
 object = $(patsubst %.c,$(OBJ)/%.o,$(1))
 isa_parts = $(foreach part,$(bench_isa),$(ISAS:%=$(OBJ)/tests/bench/$(part)-%.o))
 pkg     = $(shell pkg-config $(1) 2>/dev/null)
+# $(call once,NAME,VALUE): the value of a variable that is computed if it is needed, and only then.
+once    = $(eval $(1) := $(2))$($(1))
 include_dirs = $(filter -I%,$(1))
 
 # Vectorising a checked loop needs leave to compare without traps; no result changes.
@@ -135,8 +137,10 @@ LIBS_codegen  = $(call pkg,--libs libmd) -lflint-arb -lflint -lmpfr -lgmp -lm
 LIBS_calibrate = $(call pkg,--libs libmd) -lm
 LIBS_evolve   = $(call pkg,--libs gsl libconfig libmd) -lm
 LIBS_mpi      = $(call pkg,--libs ompi-c)
-LIBS_test     = $(call pkg,--libs cmocka gsl libconfig libmd) -lflint-arb -lflint -lmpfr -lgmp -lm
-CFLAGS_mpi    = $(call pkg,--cflags ompi-c)
+# There are a hundred tests to link, which gold does in a third of the time.
+LIBS_test     = $(call once,LIBS_test,$(if $(shell command -v ld.gold),-fuse-ld=gold) $(call pkg,--libs cmocka gsl libconfig libmd) \
+                -lflint-arb -lflint -lmpfr -lgmp -lm)
+CFLAGS_mpi    = $(call once,CFLAGS_mpi,$(call pkg,--cflags ompi-c))
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
 	@mkdir -p $(@D)
@@ -208,7 +212,7 @@ PLANE   := $(EDGES:%=generated/footpoint_%.h)
 beside  = $(or $(out),$(patsubst %/,%,$(dir $(1))))/$(notdir $(call header_of,$(basename $(notdir $(1)))))
 header_for = $(if $(call is_own,$(1)),$(call beside,$(1)),$(call header_of,$(basename $(notdir $(1)))))
 METHODS := $(wildcard $(sort $(GENERATED) $(foreach scene,$(SCENE),$(call header_for,$(scene)))))
-DOUBLES := $(if $(METHODS),$(shell awk '/^ . precision: double/ { print FILENAME }' $(METHODS)))
+DOUBLES := $(if $(METHODS),$(shell awk '/^ . precision: / { if (/double/) print FILENAME; nextfile }' $(METHODS)))
 
 all: codegen runtime evolve calibrate-program ## build the tools and the runtime library
 codegen: $(BIN)/footpoint-codegen
@@ -346,7 +350,14 @@ $(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/r
 # fused multiply-add, which takes one.
 of_headers := test_headers test_digits test_promise test_promise_curved test_promise_patches header_functions headers_long
 $(foreach file,$(of_headers),$(eval CFLAGS_$(file) := -I$(OBJ)))
-$(foreach file,header_functions headers_long test_closest test_closest_curved test_closest_patches test_closest_promise test_curved test_exceptions test_from test_from_patches test_joined test_patch_place test_place test_sides,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
+# Without optimisation even functions that nobody calls are compiled, if they are not inline.
+CALLED_ALONE := $(patsubst %,-DFOOTPOINT_%=FOOTPOINT_FN,LOOP APART COLD)
+unoptimised := $(patsubst %,test_%,along_gradients along_hessian batch closest closest_curved closest_patches closest_promise curved exceptions \
+               face_sides float from from_patches joined patch_place place place_arrays promise_float promise_tri3 sides)
+HEADERS_OPT := $(if $(filter fma,$(CONFIG)),-O1,-O0)
+called_alone = $(if $(filter -O0,$(HEADERS_OPT)),$(CALLED_ALONE))
+$(foreach file,header_functions headers_long $(unoptimised),$(eval CFLAGS_$(file) += $(HEADERS_OPT) $(called_alone)))
+$(foreach test,closest curved,$(eval CFLAGS_test_single_$(test) += $(HEADERS_OPT)))
 $(of_headers:%=$(OBJ)/tests/generated/%.o): $(OBJ)/methods.h $(OBJ)/methods.inc
 
 # The methods of the bench, as code that is built for its machine: once for each instruction set, all alike, and
@@ -357,7 +368,7 @@ ISA_x86-64    := -march=x86-64
 ISA_x86-64-v3 := -march=x86-64-v3
 ISA_x86-64-v4 := -march=x86-64-v4 -mprefer-vector-width=512
 # What the tests take where none of these has been built: soon compiled, as nothing is inlined.
-OPT_quick := -O0 -DNDEBUG
+OPT_quick := -O0 -DNDEBUG $(CALLED_ALONE)
 isa_opt = $(or $(OPT_$*),$(OPT_release))
 isa_id = $(subst -,_,$(1))
 

@@ -2,8 +2,9 @@
 # With fused multiply-add: the library, what computes bounds and fits, and promises of headers, which a contraction must not
 # break; test_batch compares bits of programs that are contracted differently. Other tests of headers take minutes to compile
 # and would repeat these; FOOTPOINT_CONFIGURATIONS=all runs all tests in both. Without optimisation the programs are built;
-# what they assert the sanitizers' build asserts, too.
+# what they assert the sanitizers' build asserts, too. At last, tests of headers that are compiled without optimisation, with it.
 . tests/cli/expect.inc
+long=$FOOTPOINT_LONG
 unset FOOTPOINT_LONG
 sources() { # sources CONFIG: of the tests to run
     case $FOOTPOINT_CONFIGURATIONS$1 in
@@ -30,4 +31,16 @@ for config in asan fma debug; do
         [ $good -eq 0 ] || tail -20 "$work/log" | sed 's/^/# /'
         report $((!good)) "$config $(basename "$test")"
     done
+done
+
+for name in along_gradients along_hessian batch face_sides float place_arrays promise_float promise_tri3 single_closest single_curved; do
+    source=$(ls tests/*/test_$name.c)
+    object=build/release/${source%.c}.o
+    # The commands of make, with other output.
+    make -n V=1 -W "$source" HEADERS_OPT=-O1 "$BIN/tests/test_$name" |
+        sed -n "s|$object|$work/$name.o|; s|-o $BIN/tests/test_$name |-o $work/$name |; / -o /p" > "$work/commands"
+    sh -e "$work/commands" > "$work/log" 2>&1 && FOOTPOINT_LONG=$long "$work/$name" > "$work/log" 2>&1
+    good=$?
+    [ $good -eq 0 ] || tail -20 "$work/log" | sed 's/^/# /'
+    report $((!good)) "optimised, $name"
 done
