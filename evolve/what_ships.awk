@@ -4,9 +4,13 @@
 function base(path) { sub(/.*\//, "", path); return path }
 
 # Reads the banners of a header into of[key, function]; returns the functions, separated by blanks.
-function read(path, of,   line, name, names, word, key, whole) {
+function read(path, of,   line, name, names, word, key, whole, part, lines) {
     while ((getline line < path) > 0) {
-        whole = whole "\n" line
+        part = part "\n" line
+        if (++lines % 256 == 0) { # a long text grows slowly
+            whole = whole part
+            part = ""
+        }
         if (line ~ /^\/\* footpoint_[a-z0-9_]+$/) {
             name = substr(line, 4)
             word = 1
@@ -22,14 +26,14 @@ function read(path, of,   line, name, names, word, key, whole) {
                 of[key, name] = substr(line, RSTART + RLENGTH)
         }
         if (line ~ /^#define FOOTPOINT_[A-Z0-9_]+_PROMISE [0-9]/) {
-            split(line, part, " ")
-            key = part[2]
+            split(line, word_of, " ")
+            key = word_of[2]
             sub(/_PROMISE$/, "", key)
-            of["promise", tolower(key)] = part[3] + 0
+            of["promise", tolower(key)] = word_of[3] + 0
         }
     }
     close(path)
-    of["text"] = whole
+    of["text"] = whole part
     return names
 }
 
