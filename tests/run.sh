@@ -28,6 +28,8 @@ if [ "$1" = --one ]; then # prints the result of one test of so many, and adds "
     exit 0
 fi
 export CMOCKA_MESSAGE_OUTPUT=TAP OMPI_MCA_mpi_yield_when_idle=1 # ranks that wait give way to other tests
+# Without plugins for graphics cards and buses processes find the processors sooner.
+export HWLOC_PLUGINS_PATH=/dev/null
 # Each mpirun binds its ranks to the first processors, those of tests side by side to the same ones.
 export OMPI_MCA_hwloc_base_binding_policy=none
 # Programs start soonest where they are not told to look for networks, and one rank needs no daemon.
