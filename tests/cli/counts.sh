@@ -12,13 +12,14 @@ cubic-full-grid,paper,143
 newton-quad,paper,28
 END
 
+find tests/expressions -name '*.gen' -size -128c > "$work/short"
 # files MODEL
 files() {
     for file in tests/expressions/*.gen; do
-        name=$(basename "$file" .gen)
+        name=${file##*/} name=${name%.gen}
         if [ -n "$FOOTPOINT_LONG" ]; then echo "$file"; continue; fi
         case $1 in
-        throughput) [ "$(wc -c < "$file")" -ge 128 ] || echo "$file" ;;
+        throughput) ! grep -qxF "$file" "$work/short" || echo "$file" ;;
         paper) [ "$name" != paper-pair ] || echo "$file" ;;
         esac
     done
@@ -28,8 +29,9 @@ later 'counts: expressions of 128 bytes and more, and most of them in the paper'
 for model in throughput paper; do
     for file in $(files $model); do
         echo "$file" >> "$work/files"
+        name=${file##*/}
         "$codegen" --count --cost $model "$file" 2> /dev/null |
-            awk -F, -v name="$(basename "$file" .gen)" -v model="$model" 'NR > 1 {
+            awk -F, -v name="${name%.gen}" -v model="$model" 'NR > 1 {
                 label = $1 == "g" ? name : name "/" $1
                 print label "," model "," $2 "," $4 "," $3 "," (model == "paper" ? $2 + $3 : $2 + $4 + 8 * $3) }'
     done
@@ -54,7 +56,7 @@ grep -v -e '^#' -e '^expression' tests/expressions/rivals.csv |
 # missing CSV FILE...: prints the files without a line in the table
 missing() {
     table=$1; shift
-    for file; do grep -q "^$(basename "$file" .gen)[,/]" "$table" || echo "# $file"; done
+    printf '%s\n' "$@" | awk -F '[,/]' 'NR == FNR { there[$1]; next } { name = $NF; sub(/\.gen$/, "", name) } !(name in there) { print "# " $0 }' "$table" -
 }
 missing tests/expressions/rivals.csv tests/expressions/*.gen > "$work/missing"
 cat "$work/missing"; report $((! $(wc -l < "$work/missing"))) 'every expression is recorded'
@@ -65,7 +67,7 @@ if python3 -c '' 2> /dev/null; then
     python3 -B -m doctest tests/expressions/count.py; report $((! $?)) 'the counter of the rivals counts as it says'
     mkdir "$work/made" && python3 tests/expressions/make.py "$work/made" && good=1 || good=0
     for file in "$work"/made/*.gen; do
-        cmp -s "$file" "tests/expressions/$(basename "$file")" || { good=0; echo "# $(basename "$file") differs"; }
+        cmp -s "$file" "tests/expressions/${file##*/}" || { good=0; echo "# ${file##*/} differs"; }
     done
     report $good 'the expressions are those that make.py writes'
 fi
