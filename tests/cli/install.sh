@@ -3,6 +3,7 @@
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 strict='-Wall -Wextra -Wpedantic -Werror'
+[ -z "$FOOTPOINT_LONG" ] || called=
 logged() { # logged NAME COMMAND...: as `report`, with what the command says where it fails
     name=$1
     shift
@@ -59,10 +60,10 @@ export PKG_CONFIG_PATH="$installed/lib/pkgconfig"
 if command -v pkg-config > /dev/null; then
     expect 'pkg-config knows the version' 0 "$("$BIN/footpoint-codegen" --version | grep -oE '[0-9.]+$')" '' \
         pkg-config --modversion footpoint
-    logged 'C, shared' $CC -std=c99 $strict "$work/use.c" -o "$work/use" $(pkg-config --cflags --libs footpoint) -lm
+    logged 'C, shared' $CC -std=c99 $strict $called "$work/use.c" -o "$work/use" $(pkg-config --cflags --libs footpoint) -lm
     readelf -d "$work/use" | grep -q 'NEEDED.*libfootpoint\.so\.2'; report $((! $?)) 'which asks for the ABI by number'
     expect 'and answers' 0 "$answer" '' env LD_LIBRARY_PATH="$installed/lib" "$work/use"
-    logged 'C, static' $CC -std=c11 $strict "$work/use.c" -o "$work/use" $(pkg-config --cflags footpoint) \
+    logged 'C, static' $CC -std=c11 $strict $called "$work/use.c" -o "$work/use" $(pkg-config --cflags footpoint) \
         "$installed/lib/libfootpoint.a" -lm
     expect 'which answers' 0 "$answer" '' "$work/use"
     cat > "$work/use.cpp" <<'C'
@@ -79,7 +80,7 @@ int main()
     return 0;
 }
 C
-    logged 'C++, any type of numbers' ${CXX:-g++} -std=c++11 $strict "$work/use.cpp" -o "$work/use" $(pkg-config --cflags footpoint)
+    logged 'C++, any type of numbers' ${CXX:-g++} -std=c++11 $strict $called "$work/use.cpp" -o "$work/use" $(pkg-config --cflags footpoint)
     expect 'which answers' 0 '4 0.25 0.5 2' '' "$work/use"
     # A program with a search of its own, from an archive: ours is used only on request.
     cat > "$work/search.c" <<'C'
@@ -224,7 +225,7 @@ logged 'make install-runtime' make -s install-runtime CC="$CC" PREFIX="$spaced" 
 ls -A | cmp -s - "$work/tree"; report $((! $?)) 'the source tree is as it was'
 if command -v pkg-config > /dev/null; then
     export PKG_CONFIG_PATH="$spaced/the lib/pkgconfig"
-    eval "$CC -std=c99 '$work/use.c' -o '$work/use' $(pkg-config --cflags --libs footpoint) -lm" > "$work/log" 2>&1
+    eval "$CC -std=c99 $called '$work/use.c' -o '$work/use' $(pkg-config --cflags --libs footpoint) -lm" > "$work/log" 2>&1
     report $((! $?)) 'pkg-config finds it'
     expect 'it answers' 0 "$answer" '' env LD_LIBRARY_PATH="$spaced/the lib" "$work/use"
 fi

@@ -169,7 +169,7 @@ if command -v gfortran > /dev/null; then
 fi
 
 # ---- segments ----
-later 'languages: paper-quad4, most functions of quad4, two compilers, second headers of a kind on GPUs, curved faces and patches in CUDA, machine code of GPUs'
+later 'languages: paper-quad4, most functions of quad4, two compilers, functions that nobody calls of several headers in one file, second headers of a kind, edge3, quad8, quad9 and bezier on GPUs, curved faces and patches in CUDA, machine code of GPUs'
 for scene in tri3 ${FOOTPOINT_LONG:+paper-quad4} quad4; do
     file=$work/$scene.gen
     some evolve/genomes/$scene.gen > "$file"
@@ -246,8 +246,10 @@ int main(void)
     return !(fabs(loc[0] - (double)floc[0]) < 1e-5 && fabs(loc[1] - (double)floc[1]) < 1e-5 && fabs(gap - (double)fgap) < 1e-5);
 }
 END
+[ -z "$FOOTPOINT_LONG" ] || called=
 for compiler in "$CC -std=c99" "$CXX -std=c++11 -x c++" ${FOOTPOINT_LONG:+"clang -std=c11"}; do
-    $compiler $strict "$work/beside.c" -o "$work/beside" -lm > "$work/log" 2>&1 && "$work/beside"
+    # shellcheck disable=SC2086
+    $compiler $strict $called "$work/beside.c" -o "$work/beside" -lm > "$work/log" 2>&1 && "$work/beside"
     good=$?
     [ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
     report $((!good)) "double and float in one file, $compiler"
@@ -284,7 +286,8 @@ done
 echo 'int main(void) { const double x[4][3] = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0.5, 0.5, 1}};
     return one(x[0], x[1], x[2], x[3]) | two(x[0], x[1], x[2], x[3]); }' >> "$work/prefixes.c"
 for compiler in "$CC -std=c99" "$CXX -std=c++11 -x c++" ${FOOTPOINT_LONG:+"clang -std=c11"}; do
-    $compiler $strict "$work/prefixes.c" -o "$work/prefixes" -lm > "$work/log" 2>&1 && "$work/prefixes"
+    # shellcheck disable=SC2086
+    $compiler $strict $called "$work/prefixes.c" -o "$work/prefixes" -lm > "$work/log" 2>&1 && "$work/prefixes"
     good=$?
     [ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
     report $((!good)) "searches and places with two prefixes in one file, $compiler"
@@ -325,7 +328,7 @@ END
 for header in "${HEADERS:-$PWD/generated}"/*.h; do
     case $header in
     */footpoint_quad4.h) ;;
-    *_quad4.h | *paper*) [ -n "$FOOTPOINT_LONG$HEADERS" ] || continue ;;
+    *_quad4.h | *paper* | *_bezier* | *_gregory_d* | *_quad8* | *_quad9* | *_tri6_d* | *_edge3.h) [ -n "$FOOTPOINT_LONG$HEADERS" ] || continue ;;
     esac
     device_kernel "$header" > "$work/device/$(basename "$header" .h).cu"
 done

@@ -140,6 +140,6 @@ int main(void)
     return footpoint_strerror(FOOTPOINT_OK)[0] != 's';
 }
 C
-expect 'which serves' 0 '' '' $CC -I"$work/stage/usr/include" "$work/use.c" "$work/stage/usr/lib/libfootpoint.a" -lm \
+expect 'which serves' 0 '' '' $CC $called -I"$work/stage/usr/include" "$work/use.c" "$work/stage/usr/lib/libfootpoint.a" -lm \
     -o "$work/use"
 expect 'a program' 0 '' '' "$work/use"

@@ -20,7 +20,7 @@ scene 's/starts = (\["p", "q"\]/starts = (["p"]/'; refused 'starts with one valu
 scene 's/max_length = 15;/max_length = 1; last = "place";/'; refused 'a value ends in nothing' "16: error: tier 'clamped': 'last' is for programs, of more operations than 1"
 
 cp tests/scenes/steps.scene "$work/"
-[ -n "$FOOTPOINT_LONG" ] && population=30 whole=6 || population=20 whole=4
+[ -n "$FOOTPOINT_LONG" ] && population=30 whole=6 || population=20 whole=2
 later 'programs: populations of 30, six generations'
 options="--scene $work/steps.scene --seed 3 --islands 3 --population $population --quiet"
 "$evolve" $options --from-scratch --generations $whole -o "$work/one.gen" --front "$work/one.csv" > "$work/table"

@@ -17,7 +17,7 @@ places() {
     gregory | bezier) echo 0 1 2 3 11 11 11 11 9 ;;
     esac
 }
-later 'statuses: second headers of a kind, more compilers and levels, for the library, too, and seven sizes of eight'
+later 'statuses: second headers of a kind, more compilers and levels, for the library and four-node arrays, too, and seven sizes of eight'
 for header in $HEADERS; do
     name=$(basename "$header" .h)
     case ${name#footpoint_} in
@@ -91,7 +91,7 @@ for header in $HEADERS; do
         gregory* | bezier*) [ "$STATUSES" = all ] || continue ;;
         esac
         case $compiler in
-        *c++11\ -Ofast) [ "$kind" != quad8 ] || [ -n "$FOOTPOINT_LONG" ] || continue ;;
+        *c++11\ -Ofast) case $name in *_quad8 | *_float) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac ;;
         *c99\ -O1) [ -n "$FOOTPOINT_LONG" ] || compiler="$CC -std=c99 -O0" ;;
         *) [ -n "$FOOTPOINT_LONG" ] || continue ;;
         esac
@@ -153,7 +153,7 @@ int main(void)
     return raised != 0;
 }
 END
-for level in -O1 -O1:-fno-tree-fre -O1:-fno-tree-dse -O3; do
+for level in -O1 ${FOOTPOINT_LONG:+-O1:-fno-tree-fre -O1:-fno-tree-dse} -O3; do
     flags=$(echo "$level" | tr : ' ')
     # shellcheck disable=SC2086
     $CC -std=gnu11 $flags -ffp-contract=off -I"$PWD" "$work/levels.c" -o "$work/use" -lm > "$work/log" 2>&1 &&
