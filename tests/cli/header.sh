@@ -17,7 +17,7 @@ nodes() {
     gregory | bezier) echo 0 1 2 3 11 11 11 11 9 ;;
     esac
 }
-later 'header: second headers of quad4 and gregory, functions of most headers that nobody calls, most compilers and standards'
+later 'header: second headers of quad4 and gregory, answers of quad9 and bezier, functions of most headers that nobody calls, most compilers and standards'
 for header in generated/*.h; do
     name=$(basename "$header")
     case $name in
@@ -68,7 +68,8 @@ for header in generated/*.h; do
         case $compiler in *++*) source=use.cpp ;; *) source=use.c ;; esac
         # Another language or a later standard may refuse something; what the compiler makes of it is the same.
         # Derivatives are not called here.
-        case $compiler$name in *_derivatives.h | *++*) run="-fsyntax-only $source" ;; *) run="$source -o use -lm" ;; esac
+        # Answers of quad9 and bezier are computed as those of quad8 and gregory.
+        case $compiler$name in *_derivatives.h | *_quad9.h | *_bezier.h | *++*) run="-fsyntax-only $source" ;; *) run="$source -o use -lm" ;; esac
         case $compiler in *=c99) level= ;; *) level=-O0 ;; esac
         case $name in *_float.h | footpoint_quad4.h) ;; *) level="$level $called" ;; esac
         [ "$type" != float ] || level="$level -Wdouble-promotion"
@@ -193,7 +194,7 @@ use() {
 fused=
 ! grep -q -w fma /proc/cpuinfo 2> /dev/null || fused='-mfma -ffp-contract=fast'
 mkdir "$work/fresh"
-later 'header: fresh headers of most scenes, and by clang in float'
+later 'header: fresh headers of most scenes, and by clang in float, poles by clang'
 for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
     name=$(basename "$file" .gen)
     case $name in *-float) continue ;; esac # quad4's
@@ -261,7 +262,7 @@ int main(void)
     return 0;
 }
 END
-for compiler in "$CC -std=c99 -O3" 'clang -std=c99 -O3' "$CC -std=c99 -O0"; do
+for compiler in "$CC -std=c99 -O3" ${FOOTPOINT_LONG:+"clang -std=c99 -O3"} "$CC -std=c99 -O0"; do
     $compiler "$work/fresh/poles.c" -o "$work/fresh/poles" -lm && "$work/fresh/poles"
     report $((! $?)) "the status of a pole, $compiler"
 done

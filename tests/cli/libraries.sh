@@ -1,11 +1,16 @@
 # Checks the judge of other libraries' searches (make rivals): it separates right, wrong, refused, crashed and endless answers.  Our
 # own answers must be right if they promise it.
 . tests/cli/expect.inc
+. tests/hard/build.inc
+FOOTPOINT_BUILT=
+[ -n "$FOOTPOINT_LONG" ] || [ "$BIN" != build ] || FOOTPOINT_BUILT=1
 CC=${CC:-gcc}
 mkdir -p "$work/objects"
 for source in tests/libraries/face.c tests/libraries/cases.c tests/libraries/library_judge.c tests/libraries/libraries_main.c \
     tests/hard/truth.c tests/hard/subdivision.c tests/hard/draw.c tests/hard/hard.c tests/hard/wild.c; do
-    $CC -std=c11 -D_DEFAULT_SOURCE -O1 -ffp-contract=off -c $source -o "$work/objects/$(basename $source .c).o" &
+    object=${source##*/}
+    object=$work/objects/${object%.c}.o
+    hard_built $source "$object" || $CC -std=c11 -D_DEFAULT_SOURCE -O1 -ffp-contract=off -c $source -o "$object" &
 done
 share='-std=c11 -D_DEFAULT_SOURCE -O0 -fPIC -shared -fvisibility=hidden'
 $CC $share $called '-DLIBRARY_VERSION="0"' tests/libraries/library_footpoint.c "$BIN/libfootpoint_ccx.a" "$BIN/libfootpoint.a" -lm \
