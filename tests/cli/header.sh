@@ -194,7 +194,7 @@ use() {
 fused=
 ! grep -q -w fma /proc/cpuinfo 2> /dev/null || fused='-mfma -ffp-contract=fast'
 mkdir "$work/fresh"
-later 'header: fresh headers of most scenes, and by clang in float, poles by clang'
+later 'header: fresh headers of most scenes, parallelogram-quad4 and clang in float, poles by clang'
 for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
     name=$(basename "$file" .gen)
     case $name in *-float) continue ;; esac # quad4's
@@ -203,6 +203,7 @@ for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
     poles=--allow-poles
     [ "$name" != scalars ] || poles=
     for type in double float; do
+        [ -n "$FOOTPOINT_LONG" ] || [ $name$type != parallelogram-quad4float ] || continue
         header=$work/fresh/$(echo "$name" | tr - _)_$type.h
         shipped=footpoint_$(echo "$name" | tr - _)
         points=${header%.h}_points.h

@@ -1,6 +1,6 @@
 # Checks statuses of the functions of generated headers, as C and C++, also if -ffast-math lets a compiler ignore NaN:
-# see tests/generated/statuses.h. Two functions of quad4, tri3 and quad8 with a C compiler, and those of quad4 and tri3
-# with a C++ compiler under -ffast-math; with FOOTPOINT_LONG two of every header with five compilers, with STATUSES=all,
+# see tests/generated/statuses.h. Two functions of quad4, tri3 and quad8 with a C compiler, and those of quad4 with
+# a C++ compiler under -ffast-math; with FOOTPOINT_LONG two of every header with five compilers, with STATUSES=all,
 # too, all functions with eight, hours.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CXX=${CXX:-g++}
@@ -91,7 +91,7 @@ for header in $HEADERS; do
         gregory* | bezier*) [ "$STATUSES" = all ] || continue ;;
         esac
         case $compiler in
-        *c++11\ -Ofast) case $name in *_quad8 | *_float) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac ;;
+        *c++11\ -Ofast) case $name in *_quad8 | *_float | *_tri3) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac ;;
         *c99\ -O1) [ -n "$FOOTPOINT_LONG" ] || compiler="$CC -std=c99 -O0" ;;
         *) [ -n "$FOOTPOINT_LONG" ] || continue ;;
         esac
