@@ -560,21 +560,6 @@ FOOTPOINT_PART void footpoint_detail_load(const double x[3], double a[4])
     footpoint_detail_join(x[0], x[1], x[2], 0.0, a);
 #endif
 }
-
-/* Computes the cross product c; the fourth numbers are 0. */
-FOOTPOINT_PART void footpoint_detail_across(const double a[4], const double b[4], double c[4])
-{
-    double a1[4], a2[4], b1[4], b2[4];
-    int i;
-    footpoint_detail_join(a[1], a[2], a[0], a[3], a1);
-    footpoint_detail_join(a[2], a[0], a[1], a[3], a2);
-    footpoint_detail_join(b[1], b[2], b[0], b[3], b1);
-    footpoint_detail_join(b[2], b[0], b[1], b[3], b2);
-    FOOTPOINT_UNROLL
-    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++)
-        footpoint_detail_into(c)[i] = footpoint_detail_of(a1)[i] * footpoint_detail_of(b2)[i] -
-                                      footpoint_detail_of(a2)[i] * footpoint_detail_of(b1)[i];
-}
 #endif
 
 #ifndef FOOTPOINT_DETAIL_NET
@@ -645,9 +630,24 @@ FOOTPOINT_PART double footpoint_detail_net_most(double a, double b)
     return 0.5 * ((a + b) + fabs(a - b));
 }
 
-/* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n,
-                                                footpoint_detail_net_bent bent[4],
+/* Bends the edges AB, DC, AD and BC by the normals n, and computes `tilt`. */
+FOOTPOINT_PART void footpoint_detail_net_bend_all(const double *const *n,
+                                                  footpoint_detail_net_bent bent[4],
+                                                  footpoint_detail_net *t)
+{
+    footpoint_detail_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_net_bend(n[1], n[2], &bent[3]);
+    t->tilt =
+        footpoint_detail_net_most(footpoint_detail_net_most(footpoint_detail_dot(n[0], n[0]),
+                                                            footpoint_detail_dot(n[1], n[1])),
+                                  footpoint_detail_net_most(footpoint_detail_dot(n[2], n[2]),
+                                                            footpoint_detail_dot(n[3], n[3])));
+}
+
+/* Computes the net from bent edges, all but `tilt`. */
+FOOTPOINT_PART void footpoint_detail_net_expand(const footpoint_detail_net_bent bent[4],
                                                 footpoint_detail_net *t)
 {
     const footpoint_detail_net_bent *const ab = &bent[0], *const dc = &bent[1],
@@ -655,10 +655,6 @@ FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n,
     const double *const bent_by[7] = {t->x1, t->y1, t->X1, t->Y1, t->X0, t->Y0, t->m};
     double edges[4];
     int i;
-    footpoint_detail_net_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_net_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_net_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_net_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
     for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
         const footpoint_detail_pack s = footpoint_detail_of(ab->begin)[i] + footpoint_detail_of(ab->end)[i], l = footpoint_detail_of(ab->begin)[i] - footpoint_detail_of(ab->end)[i];
@@ -682,11 +678,6 @@ FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n,
     }
     t->base = edges[0] + edges[1] + edges[2];
     footpoint_detail_net_sizes(bent_by, t->third);
-    t->tilt =
-        footpoint_detail_net_most(footpoint_detail_net_most(footpoint_detail_dot(n[0], n[0]),
-                                                            footpoint_detail_dot(n[1], n[1])),
-                                  footpoint_detail_net_most(footpoint_detail_dot(n[2], n[2]),
-                                                            footpoint_detail_dot(n[3], n[3])));
     t->place = 29.0 * t->base;
     t->turn = 35.0 * t->base;
     t->far = t->base;
@@ -746,7 +737,8 @@ FOOTPOINT_PART void footpoint_detail_bezier_shape(const double *const *n,
                                                   footpoint_detail_net_bent bent[4],
                                                   footpoint_detail_bezier_terms *t)
 {
-    footpoint_detail_net_expand(n, bent, &t->net);
+    footpoint_detail_net_bend_all(n, bent, &t->net);
+    footpoint_detail_net_expand(bent, &t->net);
 }
 
 FOOTPOINT_PART void footpoint_detail_bezier_local(const footpoint_detail_bezier_terms *t, double p,
@@ -1643,9 +1635,24 @@ FOOTPOINT_PART float footpoint_detail_f_lane_net_most(float a, float b)
     return 0.5f * ((a + b) + fabsf(a - b));
 }
 
-/* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const float *const *n,
-                                                       footpoint_detail_f_lane_net_bent bent[4],
+/* Bends the edges AB, DC, AD and BC by the normals n, and computes `tilt`. */
+FOOTPOINT_PART void footpoint_detail_f_lane_net_bend_all(const float *const *n,
+                                                         footpoint_detail_f_lane_net_bent bent[4],
+                                                         footpoint_detail_f_lane_net *t)
+{
+    footpoint_detail_f_lane_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_f_lane_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_f_lane_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_f_lane_net_bend(n[1], n[2], &bent[3]);
+    t->tilt =
+        footpoint_detail_f_lane_net_most(footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[0], n[0]),
+                                                                          footpoint_detail_f_dot(n[1], n[1])),
+                                  footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[2], n[2]),
+                                                                   footpoint_detail_f_dot(n[3], n[3])));
+}
+
+/* Computes the net from bent edges, all but `tilt`. */
+FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const footpoint_detail_f_lane_net_bent bent[4],
                                                        footpoint_detail_f_lane_net *t)
 {
     const footpoint_detail_f_lane_net_bent *const ab = &bent[0], *const dc = &bent[1],
@@ -1653,10 +1660,6 @@ FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const float *const *n,
     const float *const bent_by[7] = {t->x1, t->y1, t->X1, t->Y1, t->X0, t->Y0, t->m};
     float edges[3];
     int i;
-    footpoint_detail_f_lane_net_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_f_lane_net_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_f_lane_net_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_f_lane_net_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
         const float s = (ab->begin)[i] + (ab->end)[i], l = (ab->begin)[i] - (ab->end)[i];
@@ -1680,11 +1683,6 @@ FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const float *const *n,
     }
     t->base = edges[0] + edges[1] + edges[2];
     footpoint_detail_f_lane_net_sizes(bent_by, t->third);
-    t->tilt =
-        footpoint_detail_f_lane_net_most(footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[0], n[0]),
-                                                                          footpoint_detail_f_dot(n[1], n[1])),
-                                  footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[2], n[2]),
-                                                                   footpoint_detail_f_dot(n[3], n[3])));
     t->place = 29.0f * t->base;
     t->turn = 35.0f * t->base;
     t->far = t->base;
@@ -1805,7 +1803,8 @@ FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_shape(const float *const *n,
                                                           footpoint_detail_f_lane_net_bent bent[4],
                                                           footpoint_detail_f_bezier_lanes_terms *t)
 {
-    footpoint_detail_f_lane_net_expand(n, bent, &t->net);
+    footpoint_detail_f_lane_net_bend_all(n, bent, &t->net);
+    footpoint_detail_f_lane_net_expand(bent, &t->net);
 }
 
 FOOTPOINT_PART void footpoint_detail_f_bezier_lanes_local(const footpoint_detail_f_bezier_lanes_terms *t, float p,
@@ -2346,9 +2345,24 @@ FOOTPOINT_PART double footpoint_detail_lane_net_most(double a, double b)
     return 0.5 * ((a + b) + fabs(a - b));
 }
 
-/* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_lane_net_expand(const double *const *n,
-                                                     footpoint_detail_lane_net_bent bent[4],
+/* Bends the edges AB, DC, AD and BC by the normals n, and computes `tilt`. */
+FOOTPOINT_PART void footpoint_detail_lane_net_bend_all(const double *const *n,
+                                                       footpoint_detail_lane_net_bent bent[4],
+                                                       footpoint_detail_lane_net *t)
+{
+    footpoint_detail_lane_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_lane_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_lane_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_lane_net_bend(n[1], n[2], &bent[3]);
+    t->tilt =
+        footpoint_detail_lane_net_most(footpoint_detail_lane_net_most(footpoint_detail_dot(n[0], n[0]),
+                                                                      footpoint_detail_dot(n[1], n[1])),
+                                  footpoint_detail_lane_net_most(footpoint_detail_dot(n[2], n[2]),
+                                                                 footpoint_detail_dot(n[3], n[3])));
+}
+
+/* Computes the net from bent edges, all but `tilt`. */
+FOOTPOINT_PART void footpoint_detail_lane_net_expand(const footpoint_detail_lane_net_bent bent[4],
                                                      footpoint_detail_lane_net *t)
 {
     const footpoint_detail_lane_net_bent *const ab = &bent[0], *const dc = &bent[1],
@@ -2356,10 +2370,6 @@ FOOTPOINT_PART void footpoint_detail_lane_net_expand(const double *const *n,
     const double *const bent_by[7] = {t->x1, t->y1, t->X1, t->Y1, t->X0, t->Y0, t->m};
     double edges[3];
     int i;
-    footpoint_detail_lane_net_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_lane_net_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_lane_net_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_lane_net_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
         const double s = (ab->begin)[i] + (ab->end)[i], l = (ab->begin)[i] - (ab->end)[i];
@@ -2383,11 +2393,6 @@ FOOTPOINT_PART void footpoint_detail_lane_net_expand(const double *const *n,
     }
     t->base = edges[0] + edges[1] + edges[2];
     footpoint_detail_lane_net_sizes(bent_by, t->third);
-    t->tilt =
-        footpoint_detail_lane_net_most(footpoint_detail_lane_net_most(footpoint_detail_dot(n[0], n[0]),
-                                                                      footpoint_detail_dot(n[1], n[1])),
-                                  footpoint_detail_lane_net_most(footpoint_detail_dot(n[2], n[2]),
-                                                                 footpoint_detail_dot(n[3], n[3])));
     t->place = 29.0 * t->base;
     t->turn = 35.0 * t->base;
     t->far = t->base;
@@ -2508,7 +2513,8 @@ FOOTPOINT_PART void footpoint_detail_bezier_lanes_shape(const double *const *n,
                                                         footpoint_detail_lane_net_bent bent[4],
                                                         footpoint_detail_bezier_lanes_terms *t)
 {
-    footpoint_detail_lane_net_expand(n, bent, &t->net);
+    footpoint_detail_lane_net_bend_all(n, bent, &t->net);
+    footpoint_detail_lane_net_expand(bent, &t->net);
 }
 
 FOOTPOINT_PART void footpoint_detail_bezier_lanes_local(const footpoint_detail_bezier_lanes_terms *t, double p,

@@ -606,21 +606,6 @@ FOOTPOINT_PART void footpoint_detail_load(const double x[3], double a[4])
     footpoint_detail_join(x[0], x[1], x[2], 0.0, a);
 #endif
 }
-
-/* Computes the cross product c; the fourth numbers are 0. */
-FOOTPOINT_PART void footpoint_detail_across(const double a[4], const double b[4], double c[4])
-{
-    double a1[4], a2[4], b1[4], b2[4];
-    int i;
-    footpoint_detail_join(a[1], a[2], a[0], a[3], a1);
-    footpoint_detail_join(a[2], a[0], a[1], a[3], a2);
-    footpoint_detail_join(b[1], b[2], b[0], b[3], b1);
-    footpoint_detail_join(b[2], b[0], b[1], b[3], b2);
-    FOOTPOINT_UNROLL
-    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++)
-        footpoint_detail_into(c)[i] = footpoint_detail_of(a1)[i] * footpoint_detail_of(b2)[i] -
-                                      footpoint_detail_of(a2)[i] * footpoint_detail_of(b1)[i];
-}
 #endif
 
 #ifndef FOOTPOINT_DETAIL_NET
@@ -691,9 +676,24 @@ FOOTPOINT_PART double footpoint_detail_net_most(double a, double b)
     return 0.5 * ((a + b) + fabs(a - b));
 }
 
-/* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n,
-                                                footpoint_detail_net_bent bent[4],
+/* Bends the edges AB, DC, AD and BC by the normals n, and computes `tilt`. */
+FOOTPOINT_PART void footpoint_detail_net_bend_all(const double *const *n,
+                                                  footpoint_detail_net_bent bent[4],
+                                                  footpoint_detail_net *t)
+{
+    footpoint_detail_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_net_bend(n[1], n[2], &bent[3]);
+    t->tilt =
+        footpoint_detail_net_most(footpoint_detail_net_most(footpoint_detail_dot(n[0], n[0]),
+                                                            footpoint_detail_dot(n[1], n[1])),
+                                  footpoint_detail_net_most(footpoint_detail_dot(n[2], n[2]),
+                                                            footpoint_detail_dot(n[3], n[3])));
+}
+
+/* Computes the net from bent edges, all but `tilt`. */
+FOOTPOINT_PART void footpoint_detail_net_expand(const footpoint_detail_net_bent bent[4],
                                                 footpoint_detail_net *t)
 {
     const footpoint_detail_net_bent *const ab = &bent[0], *const dc = &bent[1],
@@ -701,10 +701,6 @@ FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n,
     const double *const bent_by[7] = {t->x1, t->y1, t->X1, t->Y1, t->X0, t->Y0, t->m};
     double edges[4];
     int i;
-    footpoint_detail_net_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_net_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_net_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_net_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
     for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
         const footpoint_detail_pack s = footpoint_detail_of(ab->begin)[i] + footpoint_detail_of(ab->end)[i], l = footpoint_detail_of(ab->begin)[i] - footpoint_detail_of(ab->end)[i];
@@ -728,11 +724,6 @@ FOOTPOINT_PART void footpoint_detail_net_expand(const double *const *n,
     }
     t->base = edges[0] + edges[1] + edges[2];
     footpoint_detail_net_sizes(bent_by, t->third);
-    t->tilt =
-        footpoint_detail_net_most(footpoint_detail_net_most(footpoint_detail_dot(n[0], n[0]),
-                                                            footpoint_detail_dot(n[1], n[1])),
-                                  footpoint_detail_net_most(footpoint_detail_dot(n[2], n[2]),
-                                                            footpoint_detail_dot(n[3], n[3])));
     t->place = 29.0 * t->base;
     t->turn = 35.0 * t->base;
     t->far = t->base;
@@ -782,137 +773,268 @@ FOOTPOINT_PART void footpoint_detail_net_follow(double s, double t, footpoint_de
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_CORNERS_BESIDE
+#define FOOTPOINT_DETAIL_CORNERS_BESIDE
+/* Computes the columns c of four rows a. */
+FOOTPOINT_PART void footpoint_detail_transpose(const double a0[4], const double a1[4], const double a2[4],
+                                               const double a3[4], double c[4][4])
+{
+    double even[2][4], odd[2][4];
+    footpoint_detail_join(a0[0], a1[0], a0[2], a1[2], even[0]);
+    footpoint_detail_join(a2[0], a3[0], a2[2], a3[2], even[1]);
+    footpoint_detail_join(a0[1], a1[1], a0[3], a1[3], odd[0]);
+    footpoint_detail_join(a2[1], a3[1], a2[3], a3[3], odd[1]);
+    footpoint_detail_join(even[0][0], even[0][1], even[1][0], even[1][1], c[0]);
+    footpoint_detail_join(odd[0][0], odd[0][1], odd[1][0], odd[1][1], c[1]);
+    footpoint_detail_join(even[0][2], even[0][3], even[1][2], even[1][3], c[2]);
+    footpoint_detail_join(odd[0][2], odd[0][3], odd[1][2], odd[1][3], c[3]);
+}
+
+/* Exchanges numbers of corners that differ along xi (over = 1), or along eta (3). */
+FOOTPOINT_PART void footpoint_detail_over(const double a[4], int over, double b[4])
+{
+    footpoint_detail_join(a[over], a[1 ^ over], a[2 ^ over], a[3 ^ over], b);
+}
+
+/* Returns dot products of vectors side by side. */
+FOOTPOINT_PART footpoint_detail_pack footpoint_detail_beside(double a[3][4], double b[3][4], int c)
+{
+    return footpoint_detail_of(a[0])[c] * footpoint_detail_of(b[0])[c] +
+           footpoint_detail_of(a[1])[c] * footpoint_detail_of(b[1])[c] +
+           footpoint_detail_of(a[2])[c] * footpoint_detail_of(b[2])[c];
+}
+
+/* Returns sums of the absolute coordinates of vectors side by side. */
+FOOTPOINT_PART footpoint_detail_pack footpoint_detail_beside_sizes(double a[3][4], int c)
+{
+    return footpoint_detail_absolute(footpoint_detail_of(a[0])[c]) +
+           footpoint_detail_absolute(footpoint_detail_of(a[1])[c]) +
+           footpoint_detail_absolute(footpoint_detail_of(a[2])[c]);
+}
+
+/* Returns the greater of two numbers up to rounding, without a branch. */
+FOOTPOINT_PART footpoint_detail_pack footpoint_detail_beside_most(footpoint_detail_pack a,
+                                                                  footpoint_detail_pack b)
+{
+    return 0.5 * ((a + b) + footpoint_detail_absolute(a - b));
+}
+
+/* n: normals; edge[0], edge[1]: the edges along xi and along eta, from the corner; rise: their products with n. The
+ * first index is a coordinate. */
+typedef struct {
+    double n[4][4], edge[2][4][4], rise[2][4];
+} footpoint_detail_corners;
+
+/* Returns the greatest of the corners' numbers, up to rounding. */
+FOOTPOINT_PART double footpoint_detail_corners_most(const double a[4])
+{
+    return footpoint_detail_net_most(footpoint_detail_net_most(a[0], a[1]),
+                                     footpoint_detail_net_most(a[2], a[3]));
+}
+
+/* Arranges the edges AB, DC, AD and BC and the normals by corners. Returns the largest square of a normal. */
+FOOTPOINT_PART double footpoint_detail_corners_of(const double *const *n,
+                                                  const footpoint_detail_net_bent bent[4],
+                                                  footpoint_detail_corners *t)
+{
+    double e[4][4], square[4];
+    int c, i;
+    footpoint_detail_transpose(n[0], n[1], n[2], n[3], t->n);
+    footpoint_detail_transpose(bent[0].edge, bent[1].edge, bent[2].edge, bent[3].edge, e);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        footpoint_detail_join(e[i][0], -e[i][0], -e[i][1], e[i][1], t->edge[0][i]);
+        footpoint_detail_join(e[i][2], e[i][3], -e[i][3], -e[i][2], t->edge[1][i]);
+    }
+    FOOTPOINT_UNROLL
+    for (c = 0; c < FOOTPOINT_DETAIL_FOUR; c++) {
+        footpoint_detail_into(square)[c] = footpoint_detail_beside(t->n, t->n, c);
+        footpoint_detail_into(t->rise[0])[c] = footpoint_detail_beside(t->edge[0], t->n, c);
+        footpoint_detail_into(t->rise[1])[c] = footpoint_detail_beside(t->edge[1], t->n, c);
+    }
+    return footpoint_detail_corners_most(square);
+}
+
+/* Bends an edge that rises by `first` and -`second` at its ends, whose normals are m and n. */
+FOOTPOINT_PART void footpoint_detail_corners_bend(double first, double second, const double m[4],
+                                                  const double n[4], footpoint_detail_net_bent *t)
+{
+    int i;
+    FOOTPOINT_UNROLL
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        footpoint_detail_into(t->begin)[i] = 0.125 * first * footpoint_detail_of(m)[i];
+        footpoint_detail_into(t->end)[i] = -0.125 * second * footpoint_detail_of(n)[i];
+    }
+}
+
+/* Bends all edges. */
+FOOTPOINT_PART void footpoint_detail_corners_bends(footpoint_detail_corners *t,
+                                                   const double *const *n,
+                                                   footpoint_detail_net_bent bent[4])
+{
+    const double *const xi = t->rise[0], *const eta = t->rise[1];
+    footpoint_detail_corners_bend(xi[0], xi[1], n[0], n[1], &bent[0]);
+    footpoint_detail_corners_bend(xi[3], xi[2], n[3], n[2], &bent[1]);
+    footpoint_detail_corners_bend(eta[0], eta[3], n[0], n[3], &bent[2]);
+    footpoint_detail_corners_bend(eta[1], eta[2], n[1], n[2], &bent[3]);
+}
+#endif
+
 #ifndef FOOTPOINT_GREGORY_ANSWER
 #define FOOTPOINT_GREGORY_ANSWER
 /* Corner c adds f(x) f(y) (x y side + x^2 y / (x + y) twist), f(x) = (1 - x)^2, where x and y are half the distances
  * from the corner along xi and eta. side: nine times the difference of the inner point of the edge along eta from the
- * net's; twist: the other edge's difference minus that. twists: sums of the absolute coordinates. */
+ * net's; twist: the other edge's difference minus that. twists: sums of the absolute coordinates. All sides add up to
+ * (1 - p^2) (1 - q^2) (inner0 + p inner1 + q inner2 + p q inner3). */
 typedef struct {
     footpoint_detail_net net;
-    double side[4][4], twist[4][4], twists[4];
+    double inner[4][4], side[4][4], twist[4][4], twists[4];
 } footpoint_detail_gregory_terms;
 
-/* Returns which of AB, DC, AD, BC handle m of corner c lies along. */
-FOOTPOINT_PART int footpoint_detail_gregory_edge(int c, int m)
+/* Handles b of the corners along xi, or along eta, from the corner, side by side, and turn = n x b. For a unit normal n,
+ * the other handle is k turn + l b. */
+typedef struct {
+    double b[3][4], turn[3][4], k[4], l[4];
+} footpoint_detail_gregory_ends;
+
+/* Computes handles along xi (m = 0) or along eta (1), and turns. */
+FOOTPOINT_PART void footpoint_detail_gregory_handles(footpoint_detail_corners *of, int m,
+                                                     footpoint_detail_gregory_ends *t)
 {
-    return m ? (c == 0 || c == 3 ? 2 : 3) : c / 2;
+    const double third = 1.0 / 3.0;
+    int c, i;
+    FOOTPOINT_UNROLL
+    for (c = 0; c < FOOTPOINT_DETAIL_FOUR; c++) {
+        footpoint_detail_pack n[3], b[3];
+        FOOTPOINT_UNROLL
+        for (i = 0; i < 3; i++) {
+            n[i] = footpoint_detail_of(of->n[i])[c];
+            b[i] = third * (footpoint_detail_of(of->edge[m][i])[c] -
+                            footpoint_detail_of(of->rise[m])[c] * n[i]);
+            footpoint_detail_into(t->b[i])[c] = b[i];
+        }
+        footpoint_detail_into(t->turn[0])[c] = n[1] * b[2] - n[2] * b[1];
+        footpoint_detail_into(t->turn[1])[c] = n[2] * b[0] - n[0] * b[2];
+        footpoint_detail_into(t->turn[2])[c] = n[0] * b[1] - n[1] * b[0];
+    }
 }
 
-/* Computes the corners' handles b[c][0] along xi and b[c][1] along eta. */
-FOOTPOINT_PART void footpoint_detail_gregory_handles(const footpoint_detail_net_bent bent[4],
-                                                     double b[4][2][4])
+/* Computes k and l of both edges of the corners, and bounds the quotients of the squares of edges and handles. */
+FOOTPOINT_PART void footpoint_detail_gregory_parts(footpoint_detail_corners *of,
+                                                   footpoint_detail_gregory_ends *t,
+                                                   footpoint_detail_gregory_ends *o,
+                                                   double quotient[4])
 {
-    const double third = 1.0 / 3.0, rise = 8.0 / 3.0;
-    int c, m, i;
+    int c;
     FOOTPOINT_UNROLL
-    for (c = 0; c < 4; c++) {
+    for (c = 0; c < FOOTPOINT_DETAIL_FOUR; c++) {
+        const footpoint_detail_pack s = footpoint_detail_beside(t->b, t->b, c);
+        const footpoint_detail_pack r = footpoint_detail_beside(o->b, o->b, c);
+        const footpoint_detail_pack along = footpoint_detail_beside(t->b, o->b, c);
+        const footpoint_detail_pack volume = footpoint_detail_beside(t->turn, o->b, c);
+        const footpoint_detail_pack per = 1.0 / (s * r), ps = per * r, pr = per * s;
+        footpoint_detail_into(t->k)[c] = volume * ps;
+        footpoint_detail_into(o->k)[c] = -volume * pr;
+        footpoint_detail_into(t->l)[c] = along * ps;
+        footpoint_detail_into(o->l)[c] = along * pr;
+        footpoint_detail_into(quotient)[c] =
+            footpoint_detail_beside_most(footpoint_detail_beside(of->edge[0], of->edge[0], c) * ps,
+                                         footpoint_detail_beside(of->edge[1], of->edge[1], c) * pr);
+    }
+}
+
+/* Computes nine times the edges' parts of the inner points, minus the net's. `over`: orders numbers by the corners at
+ * the edges' other ends. */
+FOOTPOINT_PART void footpoint_detail_gregory_make(double edge[4][4],
+                                                  const footpoint_detail_gregory_ends *t,
+                                                  const footpoint_detail_gregory_ends *o, int over,
+                                                  double made[3][4])
+{
+    double k[4], l[4], there[4], turn[4];
+    int c, i;
+    footpoint_detail_over(t->k, over, k);
+    footpoint_detail_over(t->l, over, l);
+    FOOTPOINT_UNROLL
+    for (i = 0; i < 3; i++) {
+        footpoint_detail_over(t->b[i], over, there);
+        footpoint_detail_over(t->turn[i], over, turn);
         FOOTPOINT_UNROLL
-        for (m = 0; m < 2; m++) {
-            const footpoint_detail_net_bent *const t = &bent[footpoint_detail_gregory_edge(c, m)];
-            const int ends = m ? c > 1 : c == 1 || c == 2;
-            FOOTPOINT_UNROLL
-            for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
-                const footpoint_detail_pack edge = third * footpoint_detail_of(t->edge)[i];
-                if (ends)
-                    footpoint_detail_into(b[c][m])[i] =
-                        rise * footpoint_detail_of(t->end)[i] - edge;
-                else
-                    footpoint_detail_into(b[c][m])[i] =
-                        edge - rise * footpoint_detail_of(t->begin)[i];
-            }
+        for (c = 0; c < FOOTPOINT_DETAIL_FOUR; c++) {
+            const footpoint_detail_pack K = footpoint_detail_of(t->k)[c],
+                                        L = footpoint_detail_of(t->l)[c];
+            const footpoint_detail_pack b = footpoint_detail_of(t->b[i])[c];
+            const footpoint_detail_pack middle =
+                footpoint_detail_of(edge[i])[c] + (footpoint_detail_of(there)[c] - b);
+            footpoint_detail_into(made[i])[c] =
+                3.0 * ((K - footpoint_detail_of(k)[c]) * footpoint_detail_of(t->turn[i])[c] -
+                       K * footpoint_detail_of(turn)[c] +
+                       ((L + L) * middle - footpoint_detail_of(l)[c] * b)) -
+                9.0 * footpoint_detail_of(o->b[i])[c];
         }
     }
 }
 
-/* Computes, for unit normals, handle b[c][1 - m] as k[c][m] n x b[c][m] + l[c][m] b[c][m]; turn: n x b. Returns the
- * largest quotient of the squares of an edge and a handle along it. */
-FOOTPOINT_PART double footpoint_detail_gregory_parts(const double *const *n,
-                                                     const footpoint_detail_net_bent bent[4],
-                                                     double b[4][2][4], double turn[4][2][4],
-                                                     double k[4][2], double l[4][2])
+/* Computes `inner` from `side`. */
+FOOTPOINT_PART void footpoint_detail_gregory_inside(footpoint_detail_gregory_terms *t)
 {
-    double most = 0.0, square[4];
-    int c, m;
+    int i;
     FOOTPOINT_UNROLL
-    for (c = 0; c < 4; c++)
-        square[c] = footpoint_detail_dot(bent[c].edge, bent[c].edge);
-    FOOTPOINT_UNROLL
-    for (c = 0; c < 4; c++) {
-        const double along = footpoint_detail_dot(b[c][0], b[c][1]);
-        const double s = footpoint_detail_dot(b[c][0], b[c][0]);
-        const double t = footpoint_detail_dot(b[c][1], b[c][1]), per = 1.0 / (s * t);
-        double volume;
-        footpoint_detail_across(n[c], b[c][0], turn[c][0]);
-        footpoint_detail_across(n[c], b[c][1], turn[c][1]);
-        volume = footpoint_detail_dot(turn[c][0], b[c][1]);
-        k[c][0] = volume * (per * t);
-        k[c][1] = -volume * (per * s);
-        FOOTPOINT_UNROLL
-        for (m = 0; m < 2; m++) {
-            const double inverse = per * (m ? s : t);
-            l[c][m] = along * inverse;
-            most = footpoint_detail_net_most(most,
-                                             square[footpoint_detail_gregory_edge(c, m)] * inverse);
-        }
+    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
+        const footpoint_detail_pack a = footpoint_detail_of(t->side[0])[i],
+                                    b = footpoint_detail_of(t->side[1])[i];
+        const footpoint_detail_pack c = footpoint_detail_of(t->side[2])[i],
+                                    d = footpoint_detail_of(t->side[3])[i];
+        const footpoint_detail_pack s = a + b, S = c + d, r = b - a, R = c - d;
+        footpoint_detail_into(t->inner[0])[i] = 0.015625 * (s + S);
+        footpoint_detail_into(t->inner[1])[i] = 0.015625 * (r + R);
+        footpoint_detail_into(t->inner[2])[i] = 0.015625 * (S - s);
+        footpoint_detail_into(t->inner[3])[i] = 0.015625 * (R - r);
     }
-    return most;
 }
 
 /* Completes the patch.
  *
- * Rounding, with d* the longest edge and w >= 2.98 the largest quotient of an edge and a handle along it, as lengths:
- * handles are off by 3.2 u d*, so b / |b|^2 by 3.2 u w and 4 u w of products; |b| <= d* / 3. At the other end of an
- * edge handles are at most w / 3 times as long. So k turn and l b are off by 1.7 u w^2 d*, twice middle, with middle <=
- * 5 / 3 of an edge, by 13 u w^2 d*, and made[] <= 1.9 w^2 d* by 64 u w^2 d* including the sum. In d the four corners
- * weigh 1 / 16 of that, in tangents 1 / 8 and 0.06 of twice that for x / (x + y), in second derivatives 3 / 8 and 0.6
- * of twice that: 5, 12 and 100 u w^2 d*. Weights are off by some 20 u of themselves, those in second derivatives by 0.5
- * (3 u / (x + y) / 2 + 20 u) of twist <= 3.8 w^2 d*, 330 u w^2 d* at x + y = 0.01. 18, 60 and 280 2.5 allow for
- * both. */
+ * Rounding, with d* the longest edge and w >= 2.98 the largest quotient of an edge and a handle along it, as lengths,
+ * and M = w^2 d*: handles are off by 3.2 u d*, so b / |b|^2 by 3.2 u w and 4 u w of products; |b| <= d* / 3. At the
+ * other end of an edge handles are at most w / 3 times as long. So k turn and l b are off by 1.7 u M, twice middle, with
+ * middle <= 5 / 3 of an edge, by 13 u M, and made[] <= 1.9 M by 64 u M including the sum. `inner` is 1/64 of four of
+ * these: 4.3 u M, less than 0.12 M. In d, factors add up to 1.93, and twists of 130 u M weigh 0.03: 13, and 4 u M of
+ * products. In tangents 5.6 and 0.08: 35, and 14 u M. In second derivatives 16 and 0.6: 150, and 30 u M; weights of
+ * twists <= 3.8 M are off by 0.5 (3 u / (x + y) / 2 + 20 u), 330 u M at x + y = 0.01. 18, 60 and 280 2.5 allow for
+ * all. */
 FOOTPOINT_PART void footpoint_detail_gregory_shape(const double *const *n,
                                                    footpoint_detail_net_bent bent[4],
                                                    footpoint_detail_gregory_terms *t)
 {
-    double b[4][2][4], turn[4][2][4], k[4][2], l[4][2], sides[4], third, most, longest = 0.0;
-    int c, m, i;
-    footpoint_detail_net_expand(n, bent, &t->net);
-    footpoint_detail_gregory_handles(bent, b);
-    most = footpoint_detail_gregory_parts(n, bent, b, turn, k, l);
+    footpoint_detail_corners of;
+    footpoint_detail_gregory_ends xi, eta;
+    double first[3][4], second[3][4], sum[4], size[4], quotient[4], zero[4], third, most;
+    int c, i;
+    t->net.tilt = footpoint_detail_corners_of(n, bent, &of);
+    footpoint_detail_corners_bends(&of, n, bent);
+    footpoint_detail_net_expand(bent, &t->net);
+    footpoint_detail_gregory_handles(&of, 0, &xi);
+    footpoint_detail_gregory_handles(&of, 1, &eta);
+    footpoint_detail_gregory_parts(&of, &xi, &eta, quotient);
+    footpoint_detail_gregory_make(of.edge[0], &xi, &eta, 1, first);
+    footpoint_detail_gregory_make(of.edge[1], &eta, &xi, 3, second);
     FOOTPOINT_UNROLL
-    for (c = 0; c < 4; c++) {
-        double made[2][4];
+    for (c = 0; c < FOOTPOINT_DETAIL_FOUR; c++) {
         FOOTPOINT_UNROLL
-        for (m = 0; m < 2; m++) {
-            const int o = m ? 3 - c : c ^ 1, ends = m ? c > 1 : c == 1 || c == 2;
-            const footpoint_detail_pack *const edge =
-                footpoint_detail_of(bent[footpoint_detail_gregory_edge(c, m)].edge);
-            const footpoint_detail_pack *const here = footpoint_detail_of(b[c][m]);
-            const footpoint_detail_pack *const there = footpoint_detail_of(b[o][m]);
-            const double sum = k[c][m] - k[o][m], twice = 2.0 * l[c][m], sign = ends ? -1.0 : 1.0;
-            FOOTPOINT_UNROLL
-            for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
-                const footpoint_detail_pack middle = sign * edge[i] + (there[i] - here[i]);
-                footpoint_detail_into(made[m])[i] =
-                    3.0 * (sum * footpoint_detail_of(turn[c][m])[i] -
-                           k[c][m] * footpoint_detail_of(turn[o][m])[i] +
-                           (twice * middle - l[o][m] * here[i])) -
-                    9.0 * footpoint_detail_of(b[c][1 - m])[i];
-            }
-        }
-        FOOTPOINT_UNROLL
-        for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
-            const footpoint_detail_pack side = footpoint_detail_of(made[1])[i];
-            footpoint_detail_into(t->side[c])[i] = side;
-            footpoint_detail_into(t->twist[c])[i] = footpoint_detail_of(made[0])[i] - side;
-            if (c)
-                footpoint_detail_into(sides)[i] += footpoint_detail_absolute(side);
-            else
-                footpoint_detail_into(sides)[i] = footpoint_detail_absolute(side);
-        }
-        t->twists[c] = footpoint_detail_sum(t->twist[c]);
-        longest = footpoint_detail_net_most(longest, footpoint_detail_sum(bent[c].edge));
+        for (i = 0; i < 3; i++)
+            footpoint_detail_into(first[i])[c] -= footpoint_detail_of(second[i])[c];
+        footpoint_detail_into(sum)[c] = footpoint_detail_beside_sizes(second, c);
+        footpoint_detail_into(t->twists)[c] = footpoint_detail_beside_sizes(first, c);
+        footpoint_detail_into(size)[c] =
+            footpoint_detail_beside_most(footpoint_detail_beside_sizes(of.edge[0], c),
+                                         footpoint_detail_beside_sizes(of.edge[1], c));
     }
-    most *= longest;
-    third = 2.2 * (sides[0] + sides[1] + sides[2]);
+    footpoint_detail_join(0.0, 0.0, 0.0, 0.0, zero);
+    footpoint_detail_transpose(second[0], second[1], second[2], zero, t->side);
+    footpoint_detail_gregory_inside(t);
+    footpoint_detail_transpose(first[0], first[1], first[2], zero, t->twist);
+    most = footpoint_detail_corners_most(quotient) * footpoint_detail_corners_most(size);
+    third = 2.2 * ((sum[0] + sum[1]) + (sum[2] + sum[3]));
     t->net.third[0] += third;
     t->net.third[1] += third;
     t->net.place += 18.0 * most;
@@ -920,43 +1042,44 @@ FOOTPOINT_PART void footpoint_detail_gregory_shape(const double *const *n,
     t->net.far += 2.5 * most;
 }
 
+/* Computes the derivatives of x by xi and of y by eta. */
+FOOTPOINT_PART void footpoint_detail_gregory_signs(double along[4], double across[4])
+{
+    footpoint_detail_join(0.5, -0.5, -0.5, 0.5, along);
+    footpoint_detail_join(0.5, 0.5, -0.5, -0.5, across);
+}
+
 /* Computes 1 / (x + y) of the corners, kept from infinity. */
 FOOTPOINT_PART void footpoint_detail_gregory_near(double p, double q, double near[4])
 {
-    const double up = 0.5 * (p + q), down = 0.5 * (p - q), tiny = 1e-30;
-    const double a = 1.0 + up + tiny, c = 1.0 - up + tiny, b = 1.0 - down + tiny,
-               d = 1.0 + down + tiny;
-    const double ac = a * c, bd = b * d, per = 1.0 / (ac * bd);
-    footpoint_detail_join(per * c * bd, per * d * ac, per * a * bd, per * b * ac, near);
+    double along[4], across[4];
+    int c;
+    footpoint_detail_gregory_signs(along, across);
+    FOOTPOINT_UNROLL
+    for (c = 0; c < FOOTPOINT_DETAIL_FOUR; c++)
+        footpoint_detail_into(near)[c] = 1.0 / (1e-30 + (1.0 + footpoint_detail_of(along)[c] * p +
+                                                         footpoint_detail_of(across)[c] * q));
 }
 
-/* Computes the corners' additions, see above, as factors of side[] and of twist[]: values, first and second derivatives
- * by xi and eta, indexed by corner. */
+/* Computes the corners' factors of twist[], see above: values, first and second derivatives by xi and eta, indexed by
+ * corner. */
 FOOTPOINT_PART void footpoint_detail_gregory_corners(double p, double q, const double near[4],
-                                                     double side[6][4], double twist[6][4])
+                                                     double twist[6][4])
 {
     double along[4], across[4];
     int c;
-    footpoint_detail_join(0.5, -0.5, -0.5, 0.5, along);
-    footpoint_detail_join(0.5, 0.5, -0.5, -0.5, across);
+    footpoint_detail_gregory_signs(along, across);
     FOOTPOINT_UNROLL
     for (c = 0; c < FOOTPOINT_DETAIL_FOUR; c++) {
         const footpoint_detail_pack sx = footpoint_detail_of(along)[c];
         const footpoint_detail_pack sy = footpoint_detail_of(across)[c];
         const footpoint_detail_pack x = 0.5 + sx * p, y = 0.5 + sy * q, X = 1.0 - x, Y = 1.0 - y;
-        const footpoint_detail_pack f = X * X, g = Y * Y, m = x * f, n = y * g;
+        const footpoint_detail_pack f = X * X, g = Y * Y;
         const footpoint_detail_pack a = x * footpoint_detail_of(near)[c];
         const footpoint_detail_pack b = y * footpoint_detail_of(near)[c];
-        const footpoint_detail_pack m1 = sx * (X * (X - (x + x))), n1 = sy * (Y * (Y - (y + y)));
         const footpoint_detail_pack h = x * y * a, hx = y * a * (1.0 + b), hy = x * (a * a);
         const footpoint_detail_pack f1 = -2.0 * X, g1 = -2.0 * Y;
         const footpoint_detail_pack fg = f * g, fg1 = f * g1, f1g = f1 * g;
-        footpoint_detail_into(side[0])[c] = m * n;
-        footpoint_detail_into(side[1])[c] = m1 * n;
-        footpoint_detail_into(side[2])[c] = m * n1;
-        footpoint_detail_into(side[3])[c] = (1.5 * x - 1.0) * n;
-        footpoint_detail_into(side[4])[c] = m1 * n1;
-        footpoint_detail_into(side[5])[c] = (1.5 * y - 1.0) * m;
         footpoint_detail_into(twist[0])[c] = fg * h;
         footpoint_detail_into(twist[1])[c] = sx * (f1g * h + fg * hx);
         footpoint_detail_into(twist[2])[c] = sy * (fg1 * h + fg * hy);
@@ -971,34 +1094,37 @@ FOOTPOINT_PART void footpoint_detail_gregory_corners(double p, double q, const d
 FOOTPOINT_PART void footpoint_detail_gregory_local(const footpoint_detail_gregory_terms *t, double p,
                                                    double q, footpoint_detail_local *l)
 {
-    double near[4], s[6][4], w[6][4];
+    const double w = 1.0 - p * p, a = p * w, a1 = 1.0 - 3.0 * (p * p), p2 = p + p, p6 = 6.0 * p;
+    const double z = 1.0 - q * q, e = q * z, e1 = 1.0 - 3.0 * (q * q), q2 = q + q, q6 = 6.0 * q;
+    double near[4], s[6][4];
     int c, i;
     footpoint_detail_net_local(&t->net, p, q, l);
     footpoint_detail_gregory_near(p, q, near);
-    footpoint_detail_gregory_corners(p, q, near, s, w);
+    footpoint_detail_gregory_corners(p, q, near, s);
     FOOTPOINT_UNROLL
     for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++) {
-        footpoint_detail_pack d = footpoint_detail_of(l->d)[i], u = footpoint_detail_of(l->u)[i];
-        footpoint_detail_pack v = footpoint_detail_of(l->v)[i], uu = footpoint_detail_of(l->uu)[i];
-        footpoint_detail_pack uv = footpoint_detail_of(l->uv)[i],
-                              vv = footpoint_detail_of(l->vv)[i];
+        const footpoint_detail_pack i0 = footpoint_detail_of(t->inner[0])[i],
+                                    i1 = footpoint_detail_of(t->inner[1])[i];
+        const footpoint_detail_pack i2 = footpoint_detail_of(t->inner[2])[i],
+                                    i3 = footpoint_detail_of(t->inner[3])[i];
+        const footpoint_detail_pack x = w * i0 + a * i1, y = w * i2 + a * i3;
+        const footpoint_detail_pack x1 = a1 * i1 - p2 * i0, y1 = a1 * i3 - p2 * i2;
+        footpoint_detail_into(l->d)[i] -= z * x + e * y;
+        footpoint_detail_into(l->u)[i] += z * x1 + e * y1;
+        footpoint_detail_into(l->v)[i] += e1 * y - q2 * x;
+        footpoint_detail_into(l->uu)[i] -= z * (p6 * i1 + 2.0 * i0) + e * (p6 * i3 + 2.0 * i2);
+        footpoint_detail_into(l->uv)[i] += e1 * y1 - q2 * x1;
+        footpoint_detail_into(l->vv)[i] -= 2.0 * x + q6 * y;
         FOOTPOINT_UNROLL
         for (c = 0; c < 4; c++) {
-            const footpoint_detail_pack y = footpoint_detail_of(t->side[c])[i];
-            const footpoint_detail_pack z = footpoint_detail_of(t->twist[c])[i];
-            d -= s[0][c] * y + w[0][c] * z;
-            u += s[1][c] * y + w[1][c] * z;
-            v += s[2][c] * y + w[2][c] * z;
-            uu += s[3][c] * y + w[3][c] * z;
-            uv += s[4][c] * y + w[4][c] * z;
-            vv += s[5][c] * y + w[5][c] * z;
+            const footpoint_detail_pack k = footpoint_detail_of(t->twist[c])[i];
+            footpoint_detail_into(l->d)[i] -= s[0][c] * k;
+            footpoint_detail_into(l->u)[i] += s[1][c] * k;
+            footpoint_detail_into(l->v)[i] += s[2][c] * k;
+            footpoint_detail_into(l->uu)[i] += s[3][c] * k;
+            footpoint_detail_into(l->uv)[i] += s[4][c] * k;
+            footpoint_detail_into(l->vv)[i] += s[5][c] * k;
         }
-        footpoint_detail_into(l->d)[i] = d;
-        footpoint_detail_into(l->u)[i] = u;
-        footpoint_detail_into(l->v)[i] = v;
-        footpoint_detail_into(l->uu)[i] = uu;
-        footpoint_detail_into(l->uv)[i] = uv;
-        footpoint_detail_into(l->vv)[i] = vv;
     }
 }
 
@@ -1878,9 +2004,24 @@ FOOTPOINT_PART float footpoint_detail_f_lane_net_most(float a, float b)
     return 0.5f * ((a + b) + fabsf(a - b));
 }
 
-/* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const float *const *n,
-                                                       footpoint_detail_f_lane_net_bent bent[4],
+/* Bends the edges AB, DC, AD and BC by the normals n, and computes `tilt`. */
+FOOTPOINT_PART void footpoint_detail_f_lane_net_bend_all(const float *const *n,
+                                                         footpoint_detail_f_lane_net_bent bent[4],
+                                                         footpoint_detail_f_lane_net *t)
+{
+    footpoint_detail_f_lane_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_f_lane_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_f_lane_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_f_lane_net_bend(n[1], n[2], &bent[3]);
+    t->tilt =
+        footpoint_detail_f_lane_net_most(footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[0], n[0]),
+                                                                          footpoint_detail_f_dot(n[1], n[1])),
+                                  footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[2], n[2]),
+                                                                   footpoint_detail_f_dot(n[3], n[3])));
+}
+
+/* Computes the net from bent edges, all but `tilt`. */
+FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const footpoint_detail_f_lane_net_bent bent[4],
                                                        footpoint_detail_f_lane_net *t)
 {
     const footpoint_detail_f_lane_net_bent *const ab = &bent[0], *const dc = &bent[1],
@@ -1888,10 +2029,6 @@ FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const float *const *n,
     const float *const bent_by[7] = {t->x1, t->y1, t->X1, t->Y1, t->X0, t->Y0, t->m};
     float edges[3];
     int i;
-    footpoint_detail_f_lane_net_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_f_lane_net_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_f_lane_net_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_f_lane_net_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
         const float s = (ab->begin)[i] + (ab->end)[i], l = (ab->begin)[i] - (ab->end)[i];
@@ -1915,11 +2052,6 @@ FOOTPOINT_PART void footpoint_detail_f_lane_net_expand(const float *const *n,
     }
     t->base = edges[0] + edges[1] + edges[2];
     footpoint_detail_f_lane_net_sizes(bent_by, t->third);
-    t->tilt =
-        footpoint_detail_f_lane_net_most(footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[0], n[0]),
-                                                                          footpoint_detail_f_dot(n[1], n[1])),
-                                  footpoint_detail_f_lane_net_most(footpoint_detail_f_dot(n[2], n[2]),
-                                                                   footpoint_detail_f_dot(n[3], n[3])));
     t->place = 29.0f * t->base;
     t->turn = 35.0f * t->base;
     t->far = t->base;
@@ -2121,7 +2253,8 @@ FOOTPOINT_PART void footpoint_detail_f_gregory_lanes_shape(const float *const *n
     footpoint_detail_f_gregory_lanes_end end[4][2]; /* of AB, DC, AD, BC */
     float handle[4][2][3], square[4], along[4][3], up[4][3], most, longest = 0.0f, sums[4];
     int c, i;
-    footpoint_detail_f_lane_net_expand(n, bent, &t->net);
+    footpoint_detail_f_lane_net_bend_all(n, bent, &t->net);
+    footpoint_detail_f_lane_net_expand(bent, &t->net);
     FOOTPOINT_WHOLE
     for (c = 0; c < 4; c++) {
         footpoint_detail_f_gregory_lanes_handles(&bent[c], handle[c][0], handle[c][1]);
@@ -2774,9 +2907,24 @@ FOOTPOINT_PART double footpoint_detail_lane_net_most(double a, double b)
     return 0.5 * ((a + b) + fabs(a - b));
 }
 
-/* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_lane_net_expand(const double *const *n,
-                                                     footpoint_detail_lane_net_bent bent[4],
+/* Bends the edges AB, DC, AD and BC by the normals n, and computes `tilt`. */
+FOOTPOINT_PART void footpoint_detail_lane_net_bend_all(const double *const *n,
+                                                       footpoint_detail_lane_net_bent bent[4],
+                                                       footpoint_detail_lane_net *t)
+{
+    footpoint_detail_lane_net_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_lane_net_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_lane_net_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_lane_net_bend(n[1], n[2], &bent[3]);
+    t->tilt =
+        footpoint_detail_lane_net_most(footpoint_detail_lane_net_most(footpoint_detail_dot(n[0], n[0]),
+                                                                      footpoint_detail_dot(n[1], n[1])),
+                                  footpoint_detail_lane_net_most(footpoint_detail_dot(n[2], n[2]),
+                                                                 footpoint_detail_dot(n[3], n[3])));
+}
+
+/* Computes the net from bent edges, all but `tilt`. */
+FOOTPOINT_PART void footpoint_detail_lane_net_expand(const footpoint_detail_lane_net_bent bent[4],
                                                      footpoint_detail_lane_net *t)
 {
     const footpoint_detail_lane_net_bent *const ab = &bent[0], *const dc = &bent[1],
@@ -2784,10 +2932,6 @@ FOOTPOINT_PART void footpoint_detail_lane_net_expand(const double *const *n,
     const double *const bent_by[7] = {t->x1, t->y1, t->X1, t->Y1, t->X0, t->Y0, t->m};
     double edges[3];
     int i;
-    footpoint_detail_lane_net_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_lane_net_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_lane_net_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_lane_net_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++) {
         const double s = (ab->begin)[i] + (ab->end)[i], l = (ab->begin)[i] - (ab->end)[i];
@@ -2811,11 +2955,6 @@ FOOTPOINT_PART void footpoint_detail_lane_net_expand(const double *const *n,
     }
     t->base = edges[0] + edges[1] + edges[2];
     footpoint_detail_lane_net_sizes(bent_by, t->third);
-    t->tilt =
-        footpoint_detail_lane_net_most(footpoint_detail_lane_net_most(footpoint_detail_dot(n[0], n[0]),
-                                                                      footpoint_detail_dot(n[1], n[1])),
-                                  footpoint_detail_lane_net_most(footpoint_detail_dot(n[2], n[2]),
-                                                                 footpoint_detail_dot(n[3], n[3])));
     t->place = 29.0 * t->base;
     t->turn = 35.0 * t->base;
     t->far = t->base;
@@ -3016,7 +3155,8 @@ FOOTPOINT_PART void footpoint_detail_gregory_lanes_shape(const double *const *n,
     footpoint_detail_gregory_lanes_end end[4][2]; /* of AB, DC, AD, BC */
     double handle[4][2][3], square[4], along[4][3], up[4][3], most, longest = 0.0, sums[4];
     int c, i;
-    footpoint_detail_lane_net_expand(n, bent, &t->net);
+    footpoint_detail_lane_net_bend_all(n, bent, &t->net);
+    footpoint_detail_lane_net_expand(bent, &t->net);
     FOOTPOINT_WHOLE
     for (c = 0; c < 4; c++) {
         footpoint_detail_gregory_lanes_handles(&bent[c], handle[c][0], handle[c][1]);
@@ -4137,19 +4277,25 @@ FOOTPOINT_PART void footpoint_detail_gregory_bends(const footpoint_detail_gregor
 
 /* Adds the second derivatives of f(x) f(y) g, g = x y (x - y) / (2 (x + y)), times e . twist, over a small part to
  * ranges, from the values in its middle (p,q): the factors of `twist` in footpoint_detail_gregory_corners minus half of
- * the factors of `side`. Third derivatives are at most 17.6 + 2.92 / (x + y), see footpoint_detail_gregory_inner. */
+ * those of `side`, f(x) f(y) x y. Third derivatives are at most 17.6 + 2.92 / (x + y), see
+ * footpoint_detail_gregory_inner. */
 FOOTPOINT_COLD void footpoint_detail_gregory_widen_near(const footpoint_detail_gregory_terms *t,
                                                         const double e[3], double p, double q, double reach,
                                                         footpoint_detail_range *r)
 {
-    double near[4], s[6][4], w[6][4];
+    double near[4], w[6][4];
     int k, i;
     footpoint_detail_gregory_near(p, q, near);
-    footpoint_detail_gregory_corners(p, q, near, s, w);
+    footpoint_detail_gregory_corners(p, q, near, w);
     for (k = 0; k < 4; k++) {
+        const double sx = k == 1 || k == 2 ? -0.5 : 0.5, sy = k > 1 ? -0.5 : 0.5;
+        const double x = 0.5 + sx * p, y = 0.5 + sy * q, X = 1.0 - x, Y = 1.0 - y;
+        const double s[3] = {(1.5 * x - 1.0) * (y * (Y * Y)),
+                           sx * sy * (X * (X - (x + x)) * (Y * (Y - (y + y)))),
+                           (1.5 * y - 1.0) * (x * (X * X))};
         const double twist = footpoint_detail_dot(e, t->twist[k]);
         for (i = 0; i < 3; i++) {
-            r->middle[i] += twist * (w[3 + i][k] - 0.5 * s[3 + i][k]);
+            r->middle[i] += twist * (w[3 + i][k] - 0.5 * s[i]);
             r->half[i] += fabs(twist) * (17.6 + 2.92 * near[k]) * reach;
         }
     }

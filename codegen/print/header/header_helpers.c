@@ -31,7 +31,7 @@ static void print_kind(const struct unit *u, FILE *out)
 }
 
 /* Prints the polynomials of patches for single calls. */
-static void print_net(FILE *out)
+static void print_net(const struct unit *u, FILE *out)
 {
     struct words w = {NULL, 0, 0};
     templates_print("FOOTPOINT_DETAIL_VECTORS", (const char *const[]){"patch_three", NULL}, PRECISION_DOUBLE, NULL,
@@ -39,6 +39,9 @@ static void print_net(FILE *out)
     words_add_net(&w, "net", "footpoint_detail_pack", "4", "FOOTPOINT_DETAIL_THREE", "footpoint_detail_");
     templates_print("FOOTPOINT_DETAIL_NET", (const char *const[]){"patch_sizes", "patch_net", NULL}, PRECISION_DOUBLE,
                     w.word, out);
+    if (!strcmp(u->file->segment->name, "gregory"))
+        templates_print("FOOTPOINT_DETAIL_CORNERS_BESIDE", (const char *const[]){"patch_corners", NULL},
+                        PRECISION_DOUBLE, NULL, out);
     words_clear(&w);
 }
 
@@ -62,7 +65,7 @@ static void print_answers(const struct unit *u, FILE *out)
     if (curved && single)
         templates_print("FOOTPOINT_DETAIL_NORM", (const char *const[]){"norm", NULL}, precision, NULL, out);
     if (patch)
-        print_net(out);
+        print_net(u, out);
     if (curved)
         promise_print_terms(u, precision, out);
     lines_print_templates(

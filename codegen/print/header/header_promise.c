@@ -207,10 +207,10 @@ static struct way bare_way(const struct unit *u, const struct function *f)
     return best;
 }
 
-/* Returns the step after which the error is about a promise, or less. */
+/* Returns the step after which the error of nearly all samples is less than a promise. */
 static double small_step(const struct unit *u, double promise)
 {
-    return is_gregory(u) ? sqrt(promise / 0.03) : cbrt(promise);
+    return is_gregory(u) ? sqrt(promise) : cbrt(promise);
 }
 
 bool promise_walks(const struct unit *u, const struct function *f)

@@ -28,19 +28,25 @@ FOOTPOINT_PART void footpoint_detail_gregory_bends(const footpoint_detail_gregor
 
 /* Adds the second derivatives of f(x) f(y) g, g = x y (x - y) / (2 (x + y)), times e . twist, over a small part to
  * ranges, from the values in its middle (p,q): the factors of `twist` in footpoint_detail_gregory_corners minus half of
- * the factors of `side`. Third derivatives are at most 17.6 + 2.92 / (x + y), see footpoint_detail_gregory_inner. */
+ * those of `side`, f(x) f(y) x y. Third derivatives are at most 17.6 + 2.92 / (x + y), see
+ * footpoint_detail_gregory_inner. */
 FOOTPOINT_COLD void footpoint_detail_gregory_widen_near(const footpoint_detail_gregory_terms *t,
                                                         const REAL e[3], REAL p, REAL q, REAL reach,
                                                         footpoint_detail_range *r)
 {
-    REAL near[4], s[6][4], w[6][4];
+    REAL near[4], w[6][4];
     int k, i;
     footpoint_detail_gregory_near(p, q, near);
-    footpoint_detail_gregory_corners(p, q, near, s, w);
+    footpoint_detail_gregory_corners(p, q, near, w);
     for (k = 0; k < 4; k++) {
+        const REAL sx = k == 1 || k == 2 ? -0.5 : 0.5, sy = k > 1 ? -0.5 : 0.5;
+        const REAL x = 0.5 + sx * p, y = 0.5 + sy * q, X = 1.0 - x, Y = 1.0 - y;
+        const REAL s[3] = {(1.5 * x - 1.0) * (y * (Y * Y)),
+                           sx * sy * (X * (X - (x + x)) * (Y * (Y - (y + y)))),
+                           (1.5 * y - 1.0) * (x * (X * X))};
         const REAL twist = footpoint_detail_dot(e, t->twist[k]);
         for (i = 0; i < 3; i++) {
-            r->middle[i] += twist * (w[3 + i][k] - 0.5 * s[3 + i][k]);
+            r->middle[i] += twist * (w[3 + i][k] - 0.5 * s[i]);
             r->half[i] += fabs(twist) * (17.6 + 2.92 * near[k]) * reach;
         }
     }

@@ -8,7 +8,8 @@ FOOTPOINT_PART void footpoint_detail_KIND_shape(const REAL *const *n,
                                                 footpoint_detail_NET_bent bent[4],
                                                 footpoint_detail_KIND_terms *t)
 {
-    footpoint_detail_NET_expand(n, bent, &t->net);
+    footpoint_detail_NET_bend_all(n, bent, &t->net);
+    footpoint_detail_NET_expand(bent, &t->net);
 }
 
 FOOTPOINT_PART void footpoint_detail_KIND_local(const footpoint_detail_KIND_terms *t, REAL p,

@@ -88,7 +88,8 @@ FOOTPOINT_PART void footpoint_detail_KIND_shape(const REAL *const *n,
     footpoint_detail_KIND_end end[4][2]; /* of AB, DC, AD, BC */
     REAL handle[4][2][3], square[4], along[4][3], up[4][3], most, longest = 0.0, sums[4];
     int c, i;
-    footpoint_detail_NET_expand(n, bent, &t->net);
+    footpoint_detail_NET_bend_all(n, bent, &t->net);
+    footpoint_detail_NET_expand(bent, &t->net);
     FOOTPOINT_WHOLE
     for (c = 0; c < 4; c++) {
         footpoint_detail_KIND_handles(&bent[c], handle[c][0], handle[c][1]);

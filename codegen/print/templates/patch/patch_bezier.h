@@ -8,7 +8,8 @@ FOOTPOINT_PART void footpoint_detail_bezier_shape(const REAL *const *n,
                                                   footpoint_detail_net_bent bent[4],
                                                   footpoint_detail_bezier_terms *t)
 {
-    footpoint_detail_net_expand(n, bent, &t->net);
+    footpoint_detail_net_bend_all(n, bent, &t->net);
+    footpoint_detail_net_expand(bent, &t->net);
 }
 
 FOOTPOINT_PART void footpoint_detail_bezier_local(const footpoint_detail_bezier_terms *t, REAL p,

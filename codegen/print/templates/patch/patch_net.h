@@ -45,9 +45,24 @@ FOOTPOINT_PART REAL footpoint_detail_NET_most(REAL a, REAL b)
     return 0.5 * ((a + b) + fabs(a - b));
 }
 
-/* Computes the net from edges and normals n. */
-FOOTPOINT_PART void footpoint_detail_NET_expand(const REAL *const *n,
-                                                footpoint_detail_NET_bent bent[4],
+/* Bends the edges AB, DC, AD and BC by the normals n, and computes `tilt`. */
+FOOTPOINT_PART void footpoint_detail_NET_bend_all(const REAL *const *n,
+                                                  footpoint_detail_NET_bent bent[4],
+                                                  footpoint_detail_NET *t)
+{
+    footpoint_detail_NET_bend(n[0], n[1], &bent[0]);
+    footpoint_detail_NET_bend(n[3], n[2], &bent[1]);
+    footpoint_detail_NET_bend(n[0], n[3], &bent[2]);
+    footpoint_detail_NET_bend(n[1], n[2], &bent[3]);
+    t->tilt =
+        footpoint_detail_NET_most(footpoint_detail_NET_most(footpoint_detail_dot(n[0], n[0]),
+                                                            footpoint_detail_dot(n[1], n[1])),
+                                  footpoint_detail_NET_most(footpoint_detail_dot(n[2], n[2]),
+                                                            footpoint_detail_dot(n[3], n[3])));
+}
+
+/* Computes the net from bent edges, all but `tilt`. */
+FOOTPOINT_PART void footpoint_detail_NET_expand(const footpoint_detail_NET_bent bent[4],
                                                 footpoint_detail_NET *t)
 {
     const footpoint_detail_NET_bent *const ab = &bent[0], *const dc = &bent[1],
@@ -55,10 +70,6 @@ FOOTPOINT_PART void footpoint_detail_NET_expand(const REAL *const *n,
     const REAL *const bent_by[7] = {t->x1, t->y1, t->X1, t->Y1, t->X0, t->Y0, t->m};
     REAL edges[ROOM];
     int i;
-    footpoint_detail_NET_bend(n[0], n[1], &bent[0]);
-    footpoint_detail_NET_bend(n[3], n[2], &bent[1]);
-    footpoint_detail_NET_bend(n[0], n[3], &bent[2]);
-    footpoint_detail_NET_bend(n[1], n[2], &bent[3]);
     FOOTPOINT_UNROLL
     for (i = 0; i < THREE; i++) {
         const TRIPLE s = OF(ab->begin)[i] + OF(ab->end)[i], l = OF(ab->begin)[i] - OF(ab->end)[i];
@@ -82,11 +93,6 @@ FOOTPOINT_PART void footpoint_detail_NET_expand(const REAL *const *n,
     }
     t->base = edges[0] + edges[1] + edges[2];
     footpoint_detail_NET_sizes(bent_by, t->third);
-    t->tilt =
-        footpoint_detail_NET_most(footpoint_detail_NET_most(footpoint_detail_dot(n[0], n[0]),
-                                                            footpoint_detail_dot(n[1], n[1])),
-                                  footpoint_detail_NET_most(footpoint_detail_dot(n[2], n[2]),
-                                                            footpoint_detail_dot(n[3], n[3])));
     t->place = 29.0 * t->base;
     t->turn = 35.0 * t->base;
     t->far = t->base;

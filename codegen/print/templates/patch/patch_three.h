@@ -68,18 +68,3 @@ FOOTPOINT_PART void footpoint_detail_load(const REAL x[3], REAL a[4])
     footpoint_detail_join(x[0], x[1], x[2], 0.0, a);
 #endif
 }
-
-/* Computes the cross product c; the fourth numbers are 0. */
-FOOTPOINT_PART void footpoint_detail_across(const REAL a[4], const REAL b[4], REAL c[4])
-{
-    REAL a1[4], a2[4], b1[4], b2[4];
-    int i;
-    footpoint_detail_join(a[1], a[2], a[0], a[3], a1);
-    footpoint_detail_join(a[2], a[0], a[1], a[3], a2);
-    footpoint_detail_join(b[1], b[2], b[0], b[3], b1);
-    footpoint_detail_join(b[2], b[0], b[1], b[3], b2);
-    FOOTPOINT_UNROLL
-    for (i = 0; i < FOOTPOINT_DETAIL_THREE; i++)
-        footpoint_detail_into(c)[i] = footpoint_detail_of(a1)[i] * footpoint_detail_of(b2)[i] -
-                                      footpoint_detail_of(a2)[i] * footpoint_detail_of(b1)[i];
-}
