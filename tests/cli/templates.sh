@@ -53,7 +53,7 @@ named=$(grep -oh '[a-zA-Z_]*\(KIND\|SHAPE\|PREFIX\|NAME\|NET\)[a-z_]*' $folder/*
         quad8 | quad9) files="$files curved_$kind single_$kind curved_start curved_step:curved_single curved_proof curved_repair answer_proved curved_from from" ;;
         tri3) files="$files tri3_answer" ;;
         bezier) files="$files patch_three patch_sizes patch_net patch_bezier patch_bends patch_expand patch_newton patch_proof patch_repair patch_from" ;;
-        gregory) files="$files patch_gregory patch_expand patch_newton patch_proof patch_repair patch_from" ;;
+        gregory) files="$files patch_corners patch_gregory patch_expand patch_newton patch_proof patch_repair patch_from" ;;
         esac
         case $kind in
         quad4) files="$files arrays side_root:over quad4_block:double side_correct:double quad4_side:double quad4_rein:double side_last:double quad4_pass:double side_run:arrays_checked" ;;
